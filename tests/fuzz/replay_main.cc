@@ -34,7 +34,7 @@ std::vector<std::uint8_t> Bytes(const std::filesystem::path& file) {
 
 int main(int argc, char** argv) {
   std::size_t count = 0;
-  for (const std::string folder : std::vector<std::string>(argv + 1, argv + argc)) {
+  for (const std::string& folder : std::vector<std::string>(argv + 1, argv + argc)) {
     for (const auto& file : SortedFiles(folder)) {
       std::printf("%s\n", file.c_str());
       const std::vector<std::uint8_t> bytes = Bytes(file);
