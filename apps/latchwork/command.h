@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_APPS_LATCHWORK_COMMAND_H_
+#define LATCHWORK_APPS_LATCHWORK_COMMAND_H_
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <vector>
+
+namespace latchwork::app {
+
+/// The documented exit codes, the same for every subcommand.
+enum ExitCode : int {
+  kDone = 0,
+  kGoalNotReached = 1,
+  kUsage = 2,
+  kInvalidInput = 3,
+  kPluginFailure = 4,
+  kInternalError = 5,
+  kDiverged = 6,
+  kDeadlineMissed = 7,
+};
+
+/// What all subcommands share. Filled by main before a subcommand's callback runs.
+struct Context {
+  std::filesystem::path executable;                   ///< Of this process, for finding plugins beside it.
+  std::vector<std::filesystem::path> plugin_folders;  ///< --plugin-path, searched first.
+  int exit_code = kDone;                              ///< Set by the callback of the subcommand.
+};
+
+/// Each adds one subcommand with its options and a callback that does the work and sets `context.exit_code`. `context`
+/// outlives `app`. Results go to standard output, progress and diagnostics to standard error.
+void AddRun(CLI::App& app, Context& context);
+void AddCheck(CLI::App& app, Context& context);
+void AddProve(CLI::App& app, Context& context);
+void AddReplay(CLI::App& app, Context& context);
+void AddPlugin(CLI::App& app, Context& context);
+
+}  // namespace latchwork::app
+
+#endif  // LATCHWORK_APPS_LATCHWORK_COMMAND_H_

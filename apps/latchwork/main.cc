@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "apps/latchwork/command.h"
+#include "latchwork/logic/diagnostic.h"
+
+namespace latchwork::app {
+namespace {
+
+constexpr std::string_view kExitCodes =
+    "Exit codes: 0 done; 1 the run ended without reaching its goal; 2 wrong usage; 3 invalid input;\n"
+    "4 a plugin cannot be loaded; 5 internal error; 6 replay diverged; 7 deadline missed.\n\n"
+    "Start here: latchwork run examples/office/scenario1.xml --out out/scenario1\n";
+
+std::vector<std::string> SubcommandNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* subcommand : app.get_subcommands(nullptr)) names.push_back(subcommand->get_name());
+  return names;
+}
+
+int ReportUsage(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  fmt::print(stderr, "latchwork: {}\n", error.what());
+  const std::vector<std::string> names = SubcommandNames(app);
+  if (argc > 1 && app.get_subcommands().empty() && argv[1][0] != '-') {
+    const std::string_view nearest = logic::NearestName(argv[1], names);
+    if (!nearest.empty()) fmt::print(stderr, "  there is no command '{}'; did you mean '{}'?\n", argv[1], nearest);
+  }
+  const auto chosen = app.get_subcommands();
+  fmt::print(stderr, "  see: latchwork {}--help\n", chosen.empty() ? "" : chosen.front()->get_name() + " ");
+  return kUsage;
+}
+
+std::filesystem::path ExecutablePath(const char* invoked_as) {
+  std::error_code error;
+  std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe", error);
+  return error ? std::filesystem::path(invoked_as) : path;
+}
+
+int Main(int argc, char** argv) {
+  Context context;
+  context.executable = ExecutablePath(argv[0]);
+  CLI::App app("latchwork: robots controlled by layers of reasoning", "latchwork");
+  app.footer(std::string(kExitCodes));
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "latchwork " LATCHWORK_VERSION);
+  app.add_option("--plugin-path", context.plugin_folders, "Folder to search for plugins first; may be repeated")
+      ->allow_extra_args(false);
+  app.fallthrough();
+  AddRun(app, context);
+  AddCheck(app, context);
+  AddProve(app, context);
+  AddReplay(app, context);
+  AddPlugin(app, context);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    return ReportUsage(app, error, argc, argv);
+  }
+  return context.exit_code;
+}
+
+}  // namespace
+}  // namespace latchwork::app
+
+int main(int argc, char** argv) {
+  try {
+    return latchwork::app::Main(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "latchwork: internal error: %s\n", error.what());
+  } catch (...) {
+    std::fputs("latchwork: internal error\n", stderr);
+  }
+  return latchwork::app::kInternalError;
+}
