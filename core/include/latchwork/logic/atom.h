@@ -14,8 +14,8 @@
 
 namespace latchwork::logic {
 
-/// A predicate applied to terms. Equality is the predicate `=`. Up to four arguments live in the atom itself, so that
-/// the facts of a control loop need no heap memory.
+/// A predicate applied to terms. Equality is the predicate `=`. Up to four arguments live in the
+/// atom itself, so that the facts of a control loop need no heap memory.
 class Atom {
  public:
   static constexpr std::size_t kInlineArguments = 4;

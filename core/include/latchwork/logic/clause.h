@@ -20,11 +20,12 @@ struct Literal {
   friend std::strong_ordering operator<=>(const Literal&, const Literal&) = default;
 };
 
-/// The part that a formula plays for a prover. TPTP's roles fold into these three: axiom, hypothesis, definition,
-/// assumption, lemma, theorem, corollary and plain are axioms.
+/// The part that a formula plays for a prover. TPTP's roles fold into these three: axiom,
+/// hypothesis, definition, assumption, lemma, theorem, corollary and plain are axioms.
 enum class Role : std::uint8_t { kAxiom, kConjecture, kNegatedConjecture };
 
-/// A disjunction of literals, its variables 0 .. variable_names.size()-1 universally quantified. No literals: falsity.
+/// A disjunction of literals, its variables 0 .. variable_names.size()-1 universally quantified. No
+/// literals: falsity.
 struct Clause {
   std::string name;  ///< Of the annotated formula that it stems from.
   Role role = Role::kAxiom;

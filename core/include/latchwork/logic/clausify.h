@@ -12,15 +12,16 @@
 namespace latchwork::logic {
 
 struct ClausifyOptions {
-  /// A disjunction whose distribution would give more clauses than this is named by a fresh definition (Plaisted and
-  /// Greenbaum 1986: only in the polarity in which it occurs).
+  /// A disjunction whose distribution would give more clauses than this is named by a fresh
+  /// definition (Plaisted and Greenbaum 1986: only in the polarity in which it occurs).
   std::size_t distribution_limit = 24;
 };
 
-/// Clauses equisatisfiable with the formulas: negation normal form, miniscoping, Skolemization with fresh functions of
-/// the free variables, distribution or definitions. Conjectures are negated together (all of them must be proved; their
-/// negations form one disjunction) and come out as kNegatedConjecture. Tautologies are dropped, duplicate literals
-/// merged; clause order follows formula order.
+/// Clauses equisatisfiable with the formulas: negation normal form, miniscoping, Skolemization with
+/// fresh functions of the free variables, distribution or definitions. Conjectures are negated
+/// together (all of them must be proved; their negations form one disjunction) and come out as
+/// kNegatedConjecture. Tautologies are dropped, duplicate literals merged; clause order follows
+/// formula order.
 std::vector<Clause> Clausify(const std::vector<AnnotatedFormula>& formulas, SymbolTable& symbols,
                              const ClausifyOptions& options = {});
 

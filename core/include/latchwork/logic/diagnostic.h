@@ -9,15 +9,16 @@
 
 namespace latchwork::logic {
 
-/// A place in a file that a person wrote. Lines and columns count from 1; 0 means "the file as a whole".
-/// Columns count bytes.
+/// A place in a file that a person wrote. Lines and columns count from 1; 0 means "the file as a
+/// whole". Columns count bytes.
 struct SourcePlace {
   std::string file;
   std::uint32_t line = 0;
   std::uint32_t column = 0;
 };
 
-/// One thing that is wrong with an input: where, what, and, where it can be guessed, how to mend it.
+/// One thing that is wrong with an input: where, what, and, where it can be guessed, how to mend
+/// it.
 struct Diagnostic {
   SourcePlace place;
   std::string message;  ///< What is wrong, in one sentence without a full stop.
@@ -27,12 +28,14 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
-/// Renders `file:line:column: error: message`, then the excerpt with a caret, then the hint. Ends with a newline.
-/// Control characters of the excerpt are shown as '?', and long lines are cut around the caret.
+/// Renders `file:line:column: error: message`, then the excerpt with a caret, then the hint. Ends
+/// with a newline. Control characters of the excerpt are shown as '?', and long lines are cut
+/// around the caret.
 std::string Format(const Diagnostic& diagnostic);
 std::string Format(const Diagnostics& diagnostics);
 
-/// The candidate nearest to `word` by edit distance, or "" when none is near enough to be a typing slip.
+/// The candidate nearest to `word` by edit distance, or "" when none is near enough to be a typing
+/// slip.
 std::string_view NearestName(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace latchwork::logic

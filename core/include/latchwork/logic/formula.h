@@ -3,7 +3,6 @@
 #define LATCHWORK_LOGIC_FORMULA_H_
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,24 +12,26 @@
 
 namespace latchwork::logic {
 
-/// A first-order formula as an immutable, shared value. Every quantifier of one formula binds variables of its own
-/// numbers, so no renaming is needed to move quantifiers. Nesting may be deep: nothing here recurses.
+/// A first-order formula as an immutable, shared value. Every quantifier of one formula binds
+/// variables of its own numbers, so no renaming is needed to move quantifiers. Nesting may be deep:
+/// nothing here recurses.
 class Formula {
  public:
   enum class Kind : std::uint8_t {
     kTrue,
     kFalse,
     kAtom,
-    kNot,          ///< One child.
-    kAnd,          ///< Two or more children.
-    kOr,           ///< Two or more children.
-    kImplies,      ///< Two children: `a => b`; the reader turns `<=` round.
-    kEquivalent,   ///< Two children; the reader writes `<~>` as ~(a <=> b), `~|` and `~&` as negations.
-    kForall,       ///< One child.
-    kExists,       ///< One child.
+    kNot,         ///< One child.
+    kAnd,         ///< Two or more children.
+    kOr,          ///< Two or more children.
+    kImplies,     ///< Two children: `a => b`; the reader turns `<=` round.
+    kEquivalent,  ///< Two children; the reader writes `<~>` as ~(a <=> b), `~|` and `~&` as
+                  ///< negations.
+    kForall,      ///< One child.
+    kExists,      ///< One child.
   };
 
-  Formula();  ///< $true
+  Formula() = default;  ///< $true
   Formula(const Formula&);
   Formula(Formula&&) noexcept;
   Formula& operator=(const Formula&);
@@ -49,17 +50,20 @@ class Formula {
   static Formula Exists(std::vector<Variable> variables, Formula child);
 
   Kind kind() const;
-  const Atom& atom() const;                      ///< kAtom only.
-  std::span<const Formula> children() const;     ///< Empty for atoms and constants.
-  std::span<const Variable> variables() const;   ///< Quantifiers only.
+  const Atom& atom() const;                     ///< kAtom only.
+  std::span<const Formula> children() const;    ///< Empty for atoms and constants.
+  std::span<const Variable> variables() const;  ///< Quantifiers only.
 
  private:
   struct Node;
-  explicit Formula(std::shared_ptr<const Node> node);
-  std::shared_ptr<const Node> node_;
+  explicit Formula(Node* node) : node_(node) {}
+  void Release() noexcept;
+
+  Node* node_ = nullptr;  ///< Null: $true.
 };
 
-/// A formula of a TPTP file: `fof(name, role, formula).` or `cnf(...)`, whose variables are then closed universally.
+/// A formula of a TPTP file: `fof(name, role, formula).` or `cnf(...)`, whose variables are then
+/// closed universally.
 struct AnnotatedFormula {
   std::string name;
   Role role = Role::kAxiom;

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "latchwork/logic/symbol.h"
@@ -15,23 +17,39 @@ namespace latchwork::logic {
 
 class Term;
 
-/// Variables of a clause or formula are numbered; their names, where anyone gave one, are kept beside it.
+/// Variables of a clause or formula are numbered; their names, where anyone gave one, are kept
+/// beside it.
 using Variable = std::uint32_t;
 
-/// A first-order term as an immutable value: a variable, an integer, a real, a constant, or a function applied to
-/// arguments. Numbers and constants need no heap memory; compound terms share their nodes (counted, thread-safe).
-/// Nesting may be deep: copying, destroying, comparing and printing do not recurse.
+/// A first-order term as an immutable value: a variable, an integer, a real, a constant, or a
+/// function applied to arguments. Numbers and constants need no heap memory; compound terms share
+/// their nodes (counted, thread-safe). Nesting may be deep: copying, destroying, comparing and
+/// printing do not recurse.
 class Term {
  public:
   enum class Kind : std::uint8_t { kVariable, kInteger, kReal, kConstant, kCompound };
 
   /// The constant `null symbol`; only there so that containers can be resized.
-  Term() : kind_(Kind::kConstant), constant_() {}
-  Term(const Term& other);
-  Term(Term&& other) noexcept;
-  Term& operator=(const Term& other);
-  Term& operator=(Term&& other) noexcept;
-  ~Term();
+  Term() = default;
+  Term(const Term& other) : kind_(other.kind_), value_(other.value_) {
+    if (kind_ == Kind::kCompound) Retain();
+  }
+  Term(Term&& other) noexcept : kind_(other.kind_), value_(other.value_) {
+    other.kind_ = Kind::kConstant;
+    other.value_ = Value();
+  }
+  Term& operator=(const Term& other) {
+    if (this != &other) *this = Term(other);
+    return *this;
+  }
+  Term& operator=(Term&& other) noexcept {
+    std::swap(kind_, other.kind_);
+    std::swap(value_, other.value_);
+    return *this;
+  }
+  ~Term() {
+    if (kind_ == Kind::kCompound) Release();
+  }
 
   static Term Var(Variable variable);
   static Term Integer(std::int64_t value);
@@ -47,44 +65,54 @@ class Term {
 
   Variable variable() const {
     assert(kind_ == Kind::kVariable);
-    return variable_;
+    return value_.variable;
   }
   std::int64_t integer() const {
     assert(kind_ == Kind::kInteger);
-    return integer_;
+    return value_.integer;
   }
   double real() const {
     assert(kind_ == Kind::kReal);
-    return real_;
+    return value_.real;
   }
   /// The value of an integer or a real.
-  double number() const { return kind_ == Kind::kInteger ? static_cast<double>(integer()) : real(); }
+  double number() const {
+    return kind_ == Kind::kInteger ? static_cast<double>(integer()) : real();
+  }
   /// The symbol of a constant or the function symbol of a compound term.
   Symbol symbol() const;
   /// Empty but for compound terms.
   std::span<const Term> arguments() const;
 
-  /// Structural. Reals are equal when their bits are, but for -0.0 == 0.0; 1 and 1.0 are different terms.
+  /// Structural. Reals are equal when their bits are, but for -0.0 == 0.0; 1 and 1.0 are different
+  /// terms.
   friend bool operator==(const Term& a, const Term& b);
-  /// A total order that does not depend on addresses: variables < integers < reals < constants < compound terms.
+  /// A total order that does not depend on addresses: variables < integers < reals < constants <
+  /// compound terms.
   friend std::strong_ordering operator<=>(const Term& a, const Term& b);
 
  private:
   struct Node;
+  union Value {
+    Value() : constant() {}
+    Variable variable;
+    std::int64_t integer;
+    double real;
+    Symbol constant;
+    Node* node;
+  };
+
+  static std::strong_ordering CompareHeads(const Term& a, const Term& b);
+  void Retain() const noexcept;
   void Release() noexcept;
 
-  Kind kind_;
-  union {
-    Variable variable_;
-    std::int64_t integer_;
-    double real_;
-    Symbol constant_;
-    Node* node_;
-  };
+  Kind kind_ = Kind::kConstant;
+  Value value_;
 };
 
-/// TPTP syntax. Variables print as their name in `variable_names`, else as X<number>; reals always show a '.' or an
-/// exponent and read back to the same bits; words are quoted where TPTP asks for it.
+/// TPTP syntax. Variables print as their name in `variable_names`, else as X<number>; reals always
+/// show a '.' or an exponent and read back to the same bits; words are quoted where TPTP asks for
+/// it.
 std::string ToString(const Term& term, std::span<const std::string> variable_names = {});
 /// A bare name as TPTP writes it: quoted and escaped where needed.
 std::string QuoteWord(std::string_view name);

@@ -14,31 +14,35 @@
 
 namespace latchwork::logic {
 
-/// What a TPTP file says, or what is wrong with it. When `diagnostics` is not empty, `formulas` must not be used.
+/// What a TPTP file says, or what is wrong with it. When `diagnostics` is not empty, `formulas`
+/// must not be used.
 struct TptpFile {
-  std::vector<AnnotatedFormula> formulas;  ///< In the order of the file, includes expanded in place.
+  std::vector<AnnotatedFormula>
+      formulas;  ///< In the order of the file, includes expanded in place.
   Diagnostics diagnostics;
 };
 
 struct TptpOptions {
-  /// Where `include('Axioms/X.ax')` is looked for after the folder of the including file (the TPTP environment
-  /// variable, by custom). Empty: only beside the file.
+  /// Where `include('Axioms/X.ax')` is looked for after the folder of the including file (the TPTP
+  /// environment variable, by custom). Empty: only beside the file.
   std::filesystem::path include_root;
   std::size_t max_bytes = 256U << 20U;  ///< Per file; a larger one is refused with a diagnostic.
   std::size_t max_diagnostics = 100;
 };
 
-/// Reads CNF and FOF of TPTP (and untyped TFF formulas: `tff(n, axiom, ...)` without type declarations other than
-/// ignored `type` roles), with `include`. Recovers at the end of each annotated formula, so all errors of a file are
-/// reported at once. Recursive inclusion is refused.
+/// Reads CNF and FOF of TPTP (and untyped TFF formulas: `tff(n, axiom, ...)` without type
+/// declarations other than ignored `type` roles), with `include`. Recovers at the end of each
+/// annotated formula, so all errors of a file are reported at once. Recursive inclusion is refused.
 /// Source: TPTP SyntaxBNF 9.
-TptpFile ReadTptpFile(const std::filesystem::path& file, SymbolTable& symbols, const TptpOptions& options = {});
-/// The same for a text in memory; `name` is used in diagnostics, relative includes start at the current folder.
+TptpFile ReadTptpFile(const std::filesystem::path& file, SymbolTable& symbols,
+                      const TptpOptions& options = {});
+/// The same for a text in memory; `name` is used in diagnostics, relative includes start at the
+/// current folder.
 TptpFile ReadTptp(std::string_view text, std::string_view name, SymbolTable& symbols,
                   const TptpOptions& options = {});
 
-/// Reads one atom ("turn(A)", "~" not allowed), for XML attributes and command lines. The diagnostic's place is
-/// relative to `text`.
+/// Reads one atom ("turn(A)", "~" not allowed), for XML attributes and command lines. The
+/// diagnostic's place is relative to `text`.
 struct TptpAtom {
   std::optional<Atom> atom;
   std::vector<std::string> variable_names;
@@ -46,7 +50,8 @@ struct TptpAtom {
 };
 TptpAtom ReadTptpAtom(std::string_view text, std::string_view name, SymbolTable& symbols);
 
-/// Writes annotated formulas that read back to the same values: `fof(name, role, formula).`, one per line.
+/// Writes annotated formulas that read back to the same values: `fof(name, role, formula).`, one
+/// per line.
 std::string WriteTptp(const std::vector<AnnotatedFormula>& formulas);
 std::string WriteTptp(const Clause& clause);
 
