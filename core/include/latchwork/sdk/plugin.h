@@ -107,10 +107,11 @@ using PluginBase = std::conditional_t<
 ///   LATCHWORK_PLUGIN(my::Corridor, "corridor", "1.0", "keeps to the right of a corridor")
 #define LATCHWORK_PLUGIN(Class, Name, Version, Summary)                                               \
   extern "C" {                                                                                       \
-  __attribute__((visibility("default"), used, section(".latchwork"))) extern const                   \
-      ::latchwork::sdk::PluginInfo latchwork_plugin_info;                                            \
-  const ::latchwork::sdk::PluginInfo latchwork_plugin_info = ::latchwork::sdk::MakePluginInfo(       \
-      ::latchwork::sdk::KindOf<Class>(), Name, Version, Summary);                                    \
+  __attribute__((visibility("default"))) extern const ::latchwork::sdk::PluginInfo                   \
+      latchwork_plugin_info;                                                                         \
+  __attribute__((used, section(".latchwork"))) const ::latchwork::sdk::PluginInfo                    \
+      latchwork_plugin_info = ::latchwork::sdk::MakePluginInfo(                                      \
+          ::latchwork::sdk::KindOf<Class>(), Name, Version, Summary);                                \
   __attribute__((visibility("default"))) void* latchwork_plugin_create() noexcept {                  \
     try {                                                                                            \
       return static_cast<::latchwork::sdk::PluginBase<Class>*>(new Class());                         \
