@@ -233,8 +233,9 @@ Findings CheckSingleUsers(const std::vector<SourceFile>& files) {
       const auto hit = std::ranges::find_if(
           includes, [&](const Include& include) { return include.name.starts_with(prefix); });
       if (hit == includes.end()) continue;
-      if (!user.empty())
-        findings.push_back(Finding(file, hit->line, hit->name + " is for " + user));
+      if (!user.empty()) {
+        findings.push_back(Finding(file, hit->line, hit->name + " is hidden in " + user));
+      }
       user = file.path;
     }
   }
