@@ -27,6 +27,7 @@ struct TptpOptions {
   /// environment variable, by custom). Empty: only beside the file.
   std::filesystem::path include_root;
   std::size_t max_bytes = 256U << 20U;  ///< Per file; a larger one is refused with a diagnostic.
+  std::size_t max_tokens = 50'000'000;  ///< Per file; bounds the memory that formulas take.
   std::size_t max_diagnostics = 100;
 };
 

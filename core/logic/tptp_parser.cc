@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/logic/tptp_parser.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace latchwork::logic {
+
+namespace {
+
+using Kind = TptpToken::Kind;
+
+struct RoleName {
+  std::string_view name;
+  Role role;
+};
+
+constexpr std::array kRoles = {
+    RoleName{"axiom", Role::kAxiom},
+    RoleName{"hypothesis", Role::kAxiom},
+    RoleName{"definition", Role::kAxiom},
+    RoleName{"assumption", Role::kAxiom},
+    RoleName{"lemma", Role::kAxiom},
+    RoleName{"theorem", Role::kAxiom},
+    RoleName{"corollary", Role::kAxiom},
+    RoleName{"plain", Role::kAxiom},
+    RoleName{"conjecture", Role::kConjecture},
+    RoleName{"negated_conjecture", Role::kNegatedConjecture},
+};
+
+constexpr std::array<std::string_view, 5> kSourceFunctions = {"inference", "introduced", "file",
+                                                              "theory", "creator"};
+
+std::optional<TptpLanguage> FindLanguage(std::string_view word) {
+  if (word == "cnf") return TptpLanguage::kCnf;
+  if (word == "fof") return TptpLanguage::kFof;
+  if (word == "tff") return TptpLanguage::kTff;
+  return std::nullopt;
+}
+
+std::string RoleHint(std::string_view word) {
+  std::vector<std::string> names;
+  std::string all;
+  for (const RoleName& each : kRoles) {
+    names.emplace_back(each.name);
+    all += (all.empty() ? "" : ", ") + std::string(each.name);
+  }
+  const std::string_view nearest = NearestName(word, names);
+  return nearest.empty() ? "roles are " + all : "did you mean '" + std::string(nearest) + "'?";
+}
+
+}  // namespace
+
+TptpParser::TptpParser(std::string_view text, std::string_view name, SymbolTable& symbols,
+                       const TptpOptions& options, TptpFile& result, IncludeHandler include)
+    : cursor_(text, name, options.max_tokens, result.diagnostics),
+      formulas_(cursor_, symbols),
+      options_(options),
+      result_(result),
+      include_(std::move(include)) {}
+
+void TptpParser::Read() {
+  while (!cursor_.Is(Kind::kEnd) && result_.diagnostics.size() < options_.max_diagnostics) {
+    if (!ReadInput()) Recover();
+  }
+}
+
+bool TptpParser::ReadInput() {
+  const std::string_view word = cursor_.token().text;
+  const auto language = FindLanguage(word);
+  if (!language && word != "include") return FailLanguage();
+  cursor_.Advance();
+  if (!cursor_.Expect(Kind::kLeftParenthesis, "'(' after '" + std::string(word) + "'")) {
+    return false;
+  }
+  return language ? ReadAnnotated(*language) : ReadInclude();
+}
+
+bool TptpParser::FailLanguage() {
+  const std::string word(cursor_.token().text);
+  std::string hint;
+  if (word == "thf" || word == "tcf" || word == "tpi") {
+    hint = "the languages read are cnf, fof and tff";
+  } else if (cursor_.Is(Kind::kLowerWord)) {
+    const std::string_view nearest = NearestName(word, {"cnf", "fof", "tff", "include"});
+    hint = nearest.empty() ? "a formula reads fof(name, axiom, p(a))."
+                           : "did you mean '" + std::string(nearest) + "'?";
+  }
+  return cursor_.FailExpected("cnf, fof, tff or include", hint);
+}
+
+bool TptpParser::ReadAnnotated(TptpLanguage language) {
+  AnnotatedFormula annotated;
+  annotated.place = cursor_.place();
+  annotated.is_clause = language == TptpLanguage::kCnf;
+  std::optional<Role> role;
+  if (!ReadName(annotated.name) || !cursor_.Expect(Kind::kComma, "',' after the name") ||
+      !ReadRole(language, role) || !cursor_.Expect(Kind::kComma, "',' after the role")) {
+    return false;
+  }
+  if (!role) return SkipTypeDeclaration() && ReadEnd();
+  annotated.role = *role;
+  if (!ReadFormula(language, annotated) || !ReadAnnotations() || !ReadEnd()) return false;
+  result_.formulas.push_back(std::move(annotated));
+  return true;
+}
+
+bool TptpParser::ReadName(std::string& name) {
+  const std::string_view text = cursor_.token().text;
+  if (cursor_.Is(Kind::kQuoted)) {
+    name = Unquote(text);
+  } else if (cursor_.Is(Kind::kLowerWord) || cursor_.Is(Kind::kInteger)) {
+    name = text;
+  } else {
+    return cursor_.FailExpected(
+        "a name", cursor_.Is(Kind::kUpperWord)
+                      ? "names begin with a lower-case letter or stand in single quotes"
+                      : "");
+  }
+  cursor_.Advance();
+  return true;
+}
+
+/// No role: a type declaration.
+bool TptpParser::ReadRole(TptpLanguage language, std::optional<Role>& role) {
+  const std::string_view text = cursor_.token().text;
+  const auto found = std::find_if(kRoles.begin(), kRoles.end(),
+                                  [&](const RoleName& each) { return each.name == text; });
+  const bool is_type = text == "type" && language == TptpLanguage::kTff;
+  if (!cursor_.Is(Kind::kLowerWord)) return cursor_.FailExpected("a role such as 'axiom'");
+  if (text == "type" && !is_type) {
+    return cursor_.Fail("types belong to tff", "write tff(...) for a type declaration");
+  }
+  if (found == kRoles.end() && !is_type) {
+    return cursor_.Fail("unknown role '" + std::string(text.substr(0, 40)) + "'", RoleHint(text));
+  }
+  if (found != kRoles.end()) role = found->role;
+  cursor_.Advance();
+  return !cursor_.Accept(Kind::kMinus) || SkipBalanced(true);
+}
+
+bool TptpParser::ReadFormula(TptpLanguage language, AnnotatedFormula& annotated) {
+  auto formula = formulas_.Read(language);
+  if (!formula) return false;
+  annotated.formula = std::move(*formula);
+  annotated.variable_names = formulas_.VariableNames();
+  return true;
+}
+
+bool TptpParser::ReadAnnotations() {
+  if (!cursor_.Accept(Kind::kComma)) return true;
+  if (!cursor_.Is(Kind::kLowerWord)) return SkipBalanced(false);
+  const SourcePlace place = cursor_.place();
+  const std::string_view word = cursor_.token().text;
+  cursor_.Advance();
+  const bool known =
+      std::find(kSourceFunctions.begin(), kSourceFunctions.end(), word) != kSourceFunctions.end();
+  if (cursor_.Is(Kind::kLeftParenthesis) && !known) {
+    return cursor_.FailAt(place, "after the formula comes its source, such as file('...')",
+                          "TPTP writes conjunction as '&', not ','");
+  }
+  return SkipBalanced(false);
+}
+
+bool TptpParser::SkipTypeDeclaration() {
+  const SourcePlace place = cursor_.place();
+  std::size_t depth = 0;
+  for (; depth > 0 || !cursor_.Is(Kind::kRightParenthesis); cursor_.Advance()) {
+    if (cursor_.Is(Kind::kEnd) || cursor_.Is(Kind::kBad)) return cursor_.FailExpected("')'");
+    if (cursor_.token().text == "$tType") {
+      return cursor_.Fail("types of one's own are not supported",
+                          "the types known are $i, $int and $real");
+    }
+    if (cursor_.Is(Kind::kLeftParenthesis)) ++depth;
+    if (cursor_.Is(Kind::kRightParenthesis)) --depth;
+  }
+  return true;
+}
+
+bool TptpParser::SkipBalanced(bool to_comma) {
+  std::string closers;
+  while (true) {
+    const Kind kind = cursor_.kind();
+    if (kind == Kind::kEnd || kind == Kind::kBad) return cursor_.FailExpected("')'");
+    if (kind == Kind::kRightParenthesis || kind == Kind::kRightBracket) {
+      const char closer = cursor_.token().text[0];
+      if (closers.empty() && closer == ')') return true;
+      if (closers.empty() || closers.back() != closer) {
+        return cursor_.Fail(cursor_.Found() + " closes nothing that is open");
+      }
+      closers.pop_back();
+    } else if (kind == Kind::kComma && to_comma && closers.empty()) {
+      return true;
+    } else if (kind == Kind::kLeftParenthesis || kind == Kind::kLeftBracket) {
+      closers += kind == Kind::kLeftParenthesis ? ')' : ']';
+    }
+    cursor_.Advance();
+  }
+}
+
+bool TptpParser::ReadEnd() {
+  const std::string_view hint = cursor_.Is(Kind::kDot) ? "a '(' is not closed" : "";
+  if (!cursor_.Expect(Kind::kRightParenthesis, "a connective or ')'", hint)) return false;
+  return cursor_.Expect(Kind::kDot, "'.'", "every annotated formula ends with ').'");
+}
+
+bool TptpParser::ReadInclude() {
+  const SourcePlace place = cursor_.place();
+  TptpInclude include;
+  if (!cursor_.Is(Kind::kQuoted)) {
+    return cursor_.FailExpected("a file name in single quotes",
+                                "an include reads include('Axioms/groups.ax').");
+  }
+  include.file = Unquote(cursor_.token().text);
+  cursor_.Advance();
+  if (cursor_.Accept(Kind::kComma) && !ReadSelection(include)) return false;
+  if (cursor_.Accept(Kind::kComma) && !SkipBalanced(false)) return false;
+  if (!ReadEnd()) return false;
+  if (auto fault = include_(include)) {
+    cursor_.FailAt(place, std::move(fault->message), std::move(fault->hint));
+  }
+  return true;
+}
+
+bool TptpParser::ReadSelection(TptpInclude& include) {
+  if (cursor_.Accept(Kind::kStar)) return true;
+  if (!cursor_.Expect(Kind::kLeftBracket, "'[' and the names of formulas")) return false;
+  include.selection.emplace();
+  if (cursor_.Accept(Kind::kRightBracket)) return true;
+  do {
+    if (!ReadName(include.selection->emplace_back())) return false;
+  } while (cursor_.Accept(Kind::kComma));
+  return cursor_.Expect(Kind::kRightBracket, "',' or ']'");
+}
+
+/// Behind the next `).`, or at the next line that begins an annotated formula.
+void TptpParser::Recover() {
+  bool after_parenthesis = false;
+  for (; !cursor_.Is(Kind::kEnd); cursor_.Advance()) {
+    const TptpToken& token = cursor_.token();
+    if (after_parenthesis && token.kind == Kind::kDot) return cursor_.Advance();
+    if (token.first_on_line && (token.text == "include" || FindLanguage(token.text))) return;
+    after_parenthesis = token.kind == Kind::kRightParenthesis;
+  }
+}
+
+}  // namespace latchwork::logic
