@@ -14,10 +14,10 @@ struct Box {
   Rect area;
 };
 
-/// Places up to `count` boxes of 0.3 to 0.6 m by seed. In a building with landmarks a box keeps 0.45 m from every line
-/// of the landmark graph, so a passage of 0.9 m stays open, and 1 m from doors and elevators; on a bare map it stands
-/// alone with 0.95 m free all round. Nothing comes within 1.5 m of `keep_free`. Fewer boxes than asked for mean that no
-/// more found a place.
+/// Places up to `count` boxes of 0.3 to 0.6 m by seed. In a building with landmarks a box keeps
+/// 0.45 m from every line of the landmark graph, so a passage of 0.9 m stays open, and 1 m from
+/// doors and elevators; on a bare map it stands alone with 0.95 m free all round. Nothing comes
+/// within 1.5 m of `keep_free`. Fewer boxes than asked for mean that no more found a place.
 std::vector<Box> PlaceBoxes(const Building& building, int count, std::uint64_t seed, int floor,
                             Point keep_free);
 

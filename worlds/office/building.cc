@@ -176,9 +176,8 @@ class BuildingReader {
     if (!floor) return;
     const auto landmark = index_.find(t[0].symbol());
     if (landmark != index_.end()) building().landmarks[landmark->second].zone = kDoorZone;
-    building().doors.push_back({t[0].symbol(),
-                                *floor,
-                                {{t[2].number(), t[3].number()}, {t[4].number(), t[5].number()}}});
+    building().doors.push_back(
+        {t[0].symbol(), *floor, {{t[2].number(), t[3].number()}, {t[4].number(), t[5].number()}}});
   }
 
   void AddElevator(Terms t) {

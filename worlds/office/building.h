@@ -74,9 +74,9 @@ struct LoadedBuilding {
   logic::Diagnostics diagnostics;  ///< Not empty: `building` must not be used.
 };
 
-/// Reads a TPTP file of ground unit clauses: floor/3, landmark/4, adjacent/2, door/6, room/6, elevator/9, cab/2, lobby/3
-/// (their meaning stands at the head of data/building/building.p), and the floors' maps beside it. Other clauses are
-/// refused, every mistake with its place.
+/// Reads a TPTP file of ground unit clauses: floor/3, landmark/4, adjacent/2, door/6, room/6,
+/// elevator/9, cab/2, lobby/3 (their meaning stands at the head of data/building/building.p), and
+/// the floors' maps beside it. Other clauses are refused, every mistake with its place.
 LoadedBuilding ReadBuilding(const std::filesystem::path& file, logic::SymbolTable& symbols);
 
 /// One floor from any map that LoadCells takes, without landmarks.

@@ -15,12 +15,12 @@ struct CellIndex {
   int y = 0;
 };
 
-/// The occupied cell nearest to the centre that a disc overlaps, exact against the squares of the cells; nothing when
-/// the disc is free. Touching is not overlapping.
+/// The occupied cell nearest to the centre that a disc overlaps, exact against the squares of the
+/// cells; nothing when the disc is free. Touching is not overlapping.
 std::optional<CellIndex> FindContact(const FloorMap& map, Point centre, double radius);
 
-/// True if a disc can move from a to b in a straight line; sampled so finely that no cell corner is jumped by more
-/// than a tenth of a cell.
+/// True if a disc can move from a to b in a straight line; sampled so finely that no cell corner is
+/// jumped by more than a tenth of a cell.
 bool IsLineFree(const FloorMap& map, Point a, Point b, double radius);
 
 /// The cells whose square a rectangle overlaps.

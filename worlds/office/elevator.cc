@@ -79,6 +79,7 @@ void Elevator::StepDoor(std::uint64_t tick, bool curtain_broken, bool occupied) 
     case Door::kOpening:
       if (--timer_ > 0) return;
       door_ = Door::kOpen;
+      shut_ = false;
       timer_ = dwell_ticks_;
       SendPassenger(tick);
       return;
@@ -95,6 +96,7 @@ void Elevator::StepDoor(std::uint64_t tick, bool curtain_broken, bool occupied) 
         timer_ = std::max(1, door_ticks_ - timer_);
       } else if (--timer_ <= 0) {
         door_ = Door::kClosed;
+        shut_ = true;
       }
       return;
   }

@@ -19,9 +19,10 @@ struct ElevatorOptions {
   double calls_per_hour = 30.0;  ///< Of other people, for each elevator.
 };
 
-/// One elevator: a cab, a door and a queue. Floors are indices from 0. The door is open on no floor but the cab's; it
-/// opens again when its light curtain is broken. An elevator that goes out of order stops at the next floor, opens if
-/// the robot is inside, and stays. Thread rule: used by one thread.
+/// One elevator: a cab, a door and a queue. Floors are indices from 0. The door is open on no floor
+/// but the cab's; it opens again when its light curtain is broken. An elevator that goes out of
+/// order stops at the next floor, opens if the robot is inside, and stays. Thread rule: used by one
+/// thread.
 class Elevator {
  public:
   enum class Door : std::uint8_t { kClosed, kOpening, kOpen, kClosing };
@@ -31,6 +32,8 @@ class Elevator {
 
   int floor() const { return floor_; }  ///< While it travels: the floor it left or passed last.
   Door door() const { return door_; }
+  /// Shut for bodies: from the moment it has closed until it is fully open.
+  bool is_shut() const { return shut_; }
   bool is_moving() const { return direction_ != 0; }
   bool in_service() const { return in_service_; }
   void PutAt(int floor) { floor_ = floor; }
@@ -39,8 +42,8 @@ class Elevator {
   void Call(int floor);
   void SetInService(bool in_service) { in_service_ = in_service; }
 
-  /// One tick. `curtain_broken`: the robot is in the door; `occupied`: it is in the cab. True when the cab has come to
-  /// another floor.
+  /// One tick. `curtain_broken`: the robot is in the door; `occupied`: it is in the cab. True when
+  /// the cab has come to another floor.
   bool Step(std::uint64_t tick, bool curtain_broken, bool occupied);
 
  private:
@@ -66,6 +69,7 @@ class Elevator {
   int timer_ = 0;
   Door door_ = Door::kClosed;
   bool in_service_ = true;
+  bool shut_ = true;
 };
 
 /// `open`, `opening`, `closing` or `closed`.

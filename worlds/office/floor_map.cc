@@ -17,7 +17,8 @@ constexpr float kThreshold = 0.5F;
 }  // namespace
 
 struct FloorMap::Grid {
-  // The size must differ from the default's: MRPT keeps resolution and origin when cell counts agree.
+  // The size must differ from the default's: MRPT keeps resolution and origin when cell counts
+  // agree.
   Grid() : map(0.0F, 1.0F, 0.0F, 1.0F, 0.5F) {}
   mrpt::maps::COccupancyGridMap2D map;
 };
@@ -29,7 +30,8 @@ FloorMap::FloorMap(const Cells& cells)
       origin_(cells.origin),
       counts_(cells.occupied.size()),
       grid_(std::make_unique<Grid>()) {
-  // Rays are cast in the map's own frame with unit cells: exact sizes whatever the origin and resolution are.
+  // Rays are cast in the map's own frame with unit cells: exact sizes whatever the origin and
+  // resolution are.
   grid_->map.setSize(0.0F, static_cast<float>(width_), 0.0F, static_cast<float>(height_), 1.0F,
                      kFree);
   for (int y = 0; y < height_; ++y) {
@@ -87,7 +89,8 @@ double FloorMap::CastRay(Point from, double angle, double range) const {
   const double cells = range / resolution_;
   float distance = 0.0F;
   bool valid = false;
-  // The range argument bounds the number of steps, not the distance: two more steps cover its rounding.
+  // The range argument bounds the number of steps, not the distance: two more steps cover its
+  // rounding.
   grid_->map.simulateScanRay(x, y, angle, distance, valid, cells / step + 2.0, kThreshold);
   return valid && distance <= cells ? static_cast<double>(distance) * resolution_ : kNothing;
 }

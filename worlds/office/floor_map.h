@@ -14,7 +14,8 @@
 
 namespace latchwork::office {
 
-/// The cells of a map file before they become a floor: 1 = occupied or unknown, row by row from the south.
+/// The cells of a map file before they become a floor: 1 = occupied or unknown, row by row from the
+/// south.
 struct Cells {
   int width = 0;
   int height = 0;
@@ -23,9 +24,10 @@ struct Cells {
   std::vector<std::uint8_t> occupied;
 };
 
-/// One storey: an MRPT occupancy grid, and above it what comes and goes in a run (shut doors, boxes). Unknown cells and
-/// everything outside count as occupied, for collisions and for sonar alike: what the robot may not touch, it can sense.
-/// A value: a copy shares nothing. Thread rule: const members may be called from any thread.
+/// One storey: an MRPT occupancy grid, and above it what comes and goes in a run (shut doors,
+/// boxes). Unknown cells and everything outside count as occupied, for collisions and for sonar
+/// alike: what the robot may not touch, it can sense. A value: a copy shares nothing. Thread rule:
+/// const members may be called from any thread.
 class FloorMap {
  public:
   explicit FloorMap(const Cells& cells);
@@ -49,12 +51,13 @@ class FloorMap {
   bool IsWall(int cell_x, int cell_y) const {
     return !IsInside(cell_x, cell_y) || (Count(cell_x, cell_y) & kWall) != 0;
   }
-  /// Puts something on a cell; covers of one cell add up and each needs its own Uncover. Outside: ignored.
+  /// Puts something on a cell; covers of one cell add up and each needs its own Uncover. Outside:
+  /// ignored.
   void Cover(int cell_x, int cell_y);
   void Uncover(int cell_x, int cell_y);
 
-  /// Distance to the first occupied cell along a ray, by MRPT's simulateScanRay; infinity when nothing stands within
-  /// `range` metres. Never short; up to two ray steps (0.8 cells each) long.
+  /// Distance to the first occupied cell along a ray, by MRPT's simulateScanRay; infinity when
+  /// nothing stands within `range` metres. Never short; up to two ray steps (0.8 cells each) long.
   double CastRay(Point from, double angle, double range) const;
 
  private:
@@ -63,7 +66,8 @@ class FloorMap {
 
   bool IsInside(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
   std::size_t IndexOf(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x);
   }
   std::uint8_t Count(int x, int y) const { return counts_[IndexOf(x, y)]; }
 
@@ -81,8 +85,9 @@ struct LoadedCells {
   std::string error;
 };
 
-/// Reads a map by its suffix: .png or .pgm (at `resolution` m per pixel, darker than mid-grey occupied), ROS map_server
-/// .yaml, MRPT .gridmap[.gz] and .simplemap[.gz]. Files that are truncated, huge or no maps are refused with a message.
+/// Reads a map by its suffix: .png or .pgm (at `resolution` m per pixel, darker than mid-grey
+/// occupied), ROS map_server .yaml, MRPT .gridmap[.gz] and .simplemap[.gz]. Files that are
+/// truncated, huge or no maps are refused with a message.
 LoadedCells LoadCells(const std::filesystem::path& file, double resolution);
 
 }  // namespace latchwork::office

@@ -12,8 +12,9 @@
 
 namespace latchwork::office {
 
-/// Which landmark the robot is at: the last one whose zone its centre entered on this floor; at first the nearest that
-/// it sees along a free straight line; in a cab the cab's. Thread rule: used by one thread.
+/// Which landmark the robot is at: the last one whose zone its centre entered on this floor; at
+/// first the nearest that it sees along a free straight line; in a cab the cab's. Thread rule: used
+/// by one thread.
 class LandmarkTracker {
  public:
   explicit LandmarkTracker(const Building& building) : building_(&building) {}
@@ -31,10 +32,12 @@ class LandmarkTracker {
 /// The elevator whose cab rectangle holds the place.
 std::optional<std::size_t> CabAt(const Building& building, Point place);
 
-/// Where the robot believes to be: the true pose, plus an error that walks at random with the way travelled.
+/// Where the robot believes to be: the true pose, plus an error that walks at random with the way
+/// travelled.
 class Odometry {
  public:
-  /// `noise`: standard deviation of the error after one metre, m; its heading part is a tenth of it, in rad.
+  /// `noise`: standard deviation of the error after one metre, m; its heading part is a tenth of
+  /// it, in rad.
   Odometry(double noise, std::uint64_t seed) : noise_(noise), random_(seed, "odometry") {}
   Pose Read(const Pose& truth, double travelled, std::uint64_t tick);
 

@@ -35,8 +35,8 @@ LoadedCells FromImage(const std::filesystem::path& file, double resolution) {
 }
 
 bool IsUnknownOrOccupied(double p_occupied, const MapYaml& yaml, int grey) {
-  // As map_server does it: trinary marks everything between the thresholds unknown; in the scale mode those values
-  // are graded, and only what is surely free may be driven on.
+  // As map_server does it: trinary marks everything between the thresholds unknown; in the scale
+  // mode those values are graded, and only what is surely free may be driven on.
   return p_occupied >= yaml.free_threshold || (yaml.mode == "raw" && grey > 100);
 }
 
@@ -89,8 +89,9 @@ std::optional<std::vector<std::uint8_t>> Unpack(const std::filesystem::path& fil
   return bytes;
 }
 
-/// MRPT writes: length of the class name with the top bit set, name, version, bits of a cell, width, height, cells.
-/// It believes the sizes, so they are compared with the bytes that are there before it reads them.
+/// MRPT writes: length of the class name with the top bit set, name, version, bits of a cell,
+/// width, height, cells. It believes the sizes, so they are compared with the bytes that are there
+/// before it reads them.
 bool HoldsItsGrid(const std::vector<std::uint8_t>& bytes) {
   constexpr std::string_view kName = "COccupancyGridMap2D";
   constexpr std::size_t kHeader = 1 + kName.size() + 1 + 1 + 8;
@@ -165,7 +166,8 @@ LoadedCells LoadCells(const std::filesystem::path& file, double resolution) {
   try {
     return LoadBySuffix(file, resolution);
   } catch (const std::exception&) {
-    // MRPT's texts carry back-traces; the reason is always the same: the bytes are not what the name says.
+    // MRPT's texts carry back-traces; the reason is always the same: the bytes are not what the
+    // name says.
     return Fail(file.string() + ": damaged or not a map of the kind that its name says");
   }
 }

@@ -40,7 +40,8 @@ std::uint32_t Checksum(std::span<const std::uint8_t> bytes) {
   return ~crc;
 }
 
-/// Empty when every chunk up to IEND is whole. The decoder below would draw a cut picture as far as it goes, or print.
+/// Empty when every chunk up to IEND is whole. The decoder below would draw a cut picture as far as
+/// it goes, or print.
 std::string_view CheckPng(std::span<const std::uint8_t> bytes) {
   constexpr std::array<std::uint8_t, 8> kSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   if (bytes.size() < 33 || !std::equal(kSignature.begin(), kSignature.end(), bytes.begin())) {
@@ -121,7 +122,8 @@ std::vector<std::uint8_t> PgmSamples(PgmReader& reader, bool plain, std::size_t 
   std::vector<std::uint8_t> samples;
   const std::size_t width = maximum > 255 ? 2 : 1;
   if (!plain) reader.Skip(1);
-  // Even a plain sample takes a byte and a blank, so a lying header is found before memory is asked for.
+  // Even a plain sample takes a byte and a blank, so a lying header is found before memory is asked
+  // for.
   if (reader.rest().size() / width < (plain ? count / 2 : count)) return samples;
   samples.reserve(count);
   const auto bytes = reader.rest();

@@ -23,7 +23,8 @@ struct LoadedImage {
   std::string error;
 };
 
-/// Reads a PNG (through MRPT, after its chunks and checksums were checked) or a binary or plain PGM.
+/// Reads a PNG (through MRPT, after its chunks and checksums were checked) or a binary or plain
+/// PGM.
 LoadedImage LoadImage(const std::filesystem::path& file);
 
 }  // namespace latchwork::office

@@ -79,8 +79,8 @@ class YamlReader {
 
  private:
   void Fail(const std::string& what) {
-    result_.error = file_.string() + ":" + std::to_string(line_) + ":" + std::to_string(column_) +
-                    ": " + what;
+    result_.error =
+        file_.string() + ":" + std::to_string(line_) + ":" + std::to_string(column_) + ": " + what;
   }
   void Missing(const std::string& key) {
     result_.error = file_.string() + ": the key '" + key + "' is missing";

@@ -25,8 +25,8 @@ struct LoadedYaml {
   std::string error;  ///< Begins with file:line:column.
 };
 
-/// Reads the flat keys of a map_server file: image, resolution, origin (its yaw must be 0), negate, occupied_thresh,
-/// free_thresh, mode. Unknown keys are ignored, as map_server does.
+/// Reads the flat keys of a map_server file: image, resolution, origin (its yaw must be 0), negate,
+/// occupied_thresh, free_thresh, mode. Unknown keys are ignored, as map_server does.
 LoadedYaml LoadMapYaml(const std::filesystem::path& file);
 
 }  // namespace latchwork::office

@@ -15,8 +15,8 @@ constexpr double kRightHand = 0.4;  // from the middle of the corridor, m
 bool IsInCorridor(const Building& building, std::size_t index) {
   const Landmark& landmark = building.landmarks[index];
   if (landmark.floor < 0 || building.FindDoor(landmark.name.name())) return false;
-  const bool in_room = std::any_of(
-      building.rooms.begin(), building.rooms.end(), [&](const Room& room) {
+  const bool in_room =
+      std::any_of(building.rooms.begin(), building.rooms.end(), [&](const Room& room) {
         return room.floor == landmark.floor && room.area.Contains(landmark.place);
       });
   const bool at_elevator = std::any_of(

@@ -21,8 +21,8 @@ struct PeopleOptions {
   double patience = 4.0;  ///< s; then they turn round.
 };
 
-/// People who walk up and down the corridors, on the right-hand side, by seed. They stop for the robot and for each
-/// other and never walk into the robot. Thread rule: used by one thread.
+/// People who walk up and down the corridors, on the right-hand side, by seed. They stop for the
+/// robot and for each other and never walk into the robot. Thread rule: used by one thread.
 class People {
  public:
   /// Places nobody within 3 m of `keep_free`, the robot's place on floor `robot_floor`.
@@ -61,7 +61,8 @@ class People {
   std::vector<std::vector<Disc>> discs_;  ///< By floor.
 };
 
-/// By landmark: the neighbours that a corridor leads to; empty for landmarks in rooms, doors and before elevators.
+/// By landmark: the neighbours that a corridor leads to; empty for landmarks in rooms, doors and
+/// before elevators.
 std::vector<std::vector<std::size_t>> CorridorWays(const Building& building);
 
 }  // namespace latchwork::office

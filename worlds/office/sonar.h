@@ -29,14 +29,15 @@ struct Disc {
   double radius = 0.0;
 };
 
-/// A ring of sonars: number 0 points ahead, numbers run counter-clockwise. A reading is the shortest ray of a cone that
-/// is symmetric about its axis, so a mirrored world gives mirrored readings. Distances count from the sonar, at the rim.
-/// Thread rule: used by one thread.
+/// A ring of sonars: number 0 points ahead, numbers run counter-clockwise. A reading is the
+/// shortest ray of a cone that is symmetric about its axis, so a mirrored world gives mirrored
+/// readings. Distances count from the sonar, at the rim. Thread rule: used by one thread.
 class SonarRing {
  public:
   SonarRing(const SonarOptions& options, std::uint64_t seed);
 
-  /// One reading for each sonar, m; infinity where no echo was heard. The span lives until the next call.
+  /// One reading for each sonar, m; infinity where no echo was heard. The span lives until the next
+  /// call.
   std::span<const double> Read(const FloorMap& map, const Pose& pose, std::span<const Disc> discs,
                                std::uint64_t tick);
   /// Direction of a sonar relative to straight ahead, rad, in (-pi, pi].

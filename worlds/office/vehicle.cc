@@ -36,14 +36,15 @@ double Vehicle::WantedTurnRate() const {
   if (!wanted_heading_) return 0.0;
   const double rest = WrapAngle(*wanted_heading_ - pose_.heading);
   // Slower than the brakes would allow, so that a step of finite length does not overshoot.
-  const double rate = std::min(options_.max_turn_rate,
-                               std::sqrt(options_.turn_acceleration * std::abs(rest)));
+  const double rate =
+      std::min(options_.max_turn_rate, std::sqrt(options_.turn_acceleration * std::abs(rest)));
   return std::copysign(std::min(rate, 8.0 * std::abs(rest)), rest);
 }
 
 void Vehicle::Accelerate(double dt) {
   const double target = std::clamp(wanted_speed_, 0.0, options_.max_speed);
-  speed_ = Approach(speed_, target, (target < speed_ ? options_.brake : options_.acceleration) * dt);
+  speed_ =
+      Approach(speed_, target, (target < speed_ ? options_.brake : options_.acceleration) * dt);
   turn_rate_ = Approach(turn_rate_, WantedTurnRate(), options_.turn_acceleration * dt);
 }
 

@@ -14,12 +14,12 @@ namespace latchwork::office {
 
 /// Sizes and limits of the robot.
 struct VehicleOptions {
-  double radius = 0.25;                                ///< m
-  double max_speed = 0.6;                              ///< m/s
-  double acceleration = 1.0;                           ///< m/s2
-  double brake = 1.5;                                  ///< m/s2
-  double max_turn_rate = std::numbers::pi / 2.0;       ///< rad/s
-  double turn_acceleration = 2.0 * std::numbers::pi;   ///< rad/s2
+  double radius = 0.25;                               ///< m
+  double max_speed = 0.6;                             ///< m/s
+  double acceleration = 1.0;                          ///< m/s2
+  double brake = 1.5;                                 ///< m/s2
+  double max_turn_rate = std::numbers::pi / 2.0;      ///< rad/s
+  double turn_acceleration = 2.0 * std::numbers::pi;  ///< rad/s2
 };
 
 /// Where the robot ran into something.
@@ -28,8 +28,9 @@ struct Contact {
   std::string with;  ///< "a wall", "a person"
 };
 
-/// A round robot with differential drive: speed and turn rate follow what it is told within its accelerations, and it
-/// moves along exact arcs. It stops where it touches, never passes through. Thread rule: used by one thread.
+/// A round robot with differential drive: speed and turn rate follow what it is told within its
+/// accelerations, and it moves along exact arcs. It stops where it touches, never passes through.
+/// Thread rule: used by one thread.
 class Vehicle {
  public:
   Vehicle(const VehicleOptions& options, double tick_seconds)
@@ -44,7 +45,8 @@ class Vehicle {
 
   /// What to do from now on. No speed: roll out and stop; a speed of 0 brakes.
   void Forward(std::optional<double> speed) { wanted_speed_ = speed.value_or(0.0); }
-  /// Turns by an angle from the present heading, slowing down before its end; nothing: stops turning.
+  /// Turns by an angle from the present heading, slowing down before its end; nothing: stops
+  /// turning.
   void Turn(std::optional<double> angle);
 
   /// One tick. Returns a contact when the robot was stopped by one; it then stands still.
