@@ -137,7 +137,8 @@ PluginInfoReading ReadPluginInfo(const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) {
-    return Problem(error ? CannotBeRead(error) : "does not exist");
+    const std::error_code missing = std::make_error_code(std::errc::no_such_file_or_directory);
+    return Problem(CannotBeRead(error ? error : missing));
   }
   if (std::filesystem::is_directory(status)) return Problem("is a directory, not a shared library");
   if (!std::filesystem::is_regular_file(status)) return Problem("is not a regular file");
