@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "worlds/office/office_world.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/worlds/office/temporary_folder.h"
+
+namespace latchwork::office {
+namespace {
+
+using logic::Fact;
+using logic::Term;
+using testing::HasSubstr;
+
+/// An office with its batches, told what to do by hand.
+class OfficeWorldTest : public testing::Test {
+ protected:
+  logic::Diagnostics Load(const std::vector<std::pair<std::string, std::string>>& values,
+                          std::uint64_t seed = 1) {
+    std::vector<sdk::Parameters::Given> given;
+    for (const auto& [name, value] : values) given.push_back({name, value, {"agent.xml", 3, 5}});
+    logic::Diagnostics diagnostics;
+    const auto parameters = sdk::Parameters::Check(world_.parameters(), given, "office",
+                                                   {"agent.xml", 2, 1}, diagnostics);
+    if (!diagnostics.empty()) return diagnostics;
+    return world_.Load({seed, 0.1, ShippedFolder(), &symbols_}, parameters);
+  }
+
+  void Tick(std::vector<Fact> drive, std::vector<Fact> buttons = {}) {
+    std::vector<sdk::Batch> effectors(kEffectorPorts);
+    effectors[kDrive] = {true, std::move(drive)};
+    effectors[kElevatorButtons] = {true, std::move(buttons)};
+    world_.Observe(tick_, sensors_);
+    world_.Apply(tick_, effectors);
+    world_.Step(tick_++);
+  }
+
+  /// Drives straight to a place; false when it does not get there.
+  bool DriveTo(Point goal) {
+    for (int i = 0; i < 900; ++i) {
+      const Pose pose = world_.state().vehicle->pose();
+      if (Distance(PointOf(pose), goal) < 0.06) return true;
+      const double turn = WrapAngle(std::atan2(goal.y - pose.y, goal.x - pose.x) - pose.heading);
+      const double speed = std::abs(turn) < 0.1 ? 0.4 : 0.0;
+      Tick({Make("turn", {Term::Real(turn)}), Make("fwd", {Term::Real(speed)})});
+      if (world_.outcome().state != sdk::Outcome::State::kRunning) return false;
+    }
+    return false;
+  }
+
+  Fact Make(const char* name, std::initializer_list<Term> terms) {
+    return {symbols_.Intern(name), terms};
+  }
+  Term Word(const char* name) { return Term::Constant(symbols_.Intern(name)); }
+  Point PlaceOf(const char* name) {
+    const Building& building = world_.state().building;
+    return building.landmarks[*building.FindLandmark(name)].place;
+  }
+  std::string Sensed(SensorPort port) const {
+    std::string text;
+    for (const Fact& fact : sensors_[port].facts) text += logic::ToString(fact) + " ";
+    return text;
+  }
+
+  logic::SymbolTable symbols_;
+  OfficeWorld world_;
+  std::vector<sdk::Batch> sensors_ = std::vector<sdk::Batch>(kSensorPorts);
+  std::uint64_t tick_ = 0;
+};
+
+TEST_F(OfficeWorldTest, ShippedBuilding_LoadsAndItsLinesAreFree) {
+  const auto wrong = Load({});
+  ASSERT_TRUE(wrong.empty()) << logic::Format(wrong);
+  const Building& building = world_.state().building;
+  EXPECT_EQ(building.floors.size(), 3U);
+  EXPECT_GE(building.rooms.size(), 60U);
+  for (const Edge& edge : building.edges) {
+    const Landmark& a = building.landmarks[edge.a];
+    const Landmark& b = building.landmarks[edge.b];
+    const FloorMap& map = building.floors[static_cast<std::size_t>(a.floor)].map;
+    EXPECT_TRUE(IsLineFree(map, a.place, b.place, 0.44)) << a.name.name() << b.name.name();
+  }
+}
+
+TEST_F(OfficeWorldTest, EveryPort_SaysWhatItsContractNames) {
+  ASSERT_TRUE(Load({{"start", "r1_07"}, {"goal", "r3_02"}}).empty());
+  Tick({});
+  EXPECT_THAT(Sensed(kSonar), HasSubstr("15"));
+  EXPECT_THAT(Sensed(kPose), HasSubstr("curr_heading("));
+  EXPECT_EQ(Sensed(kPlace), "curr_landmark(r1_07) curr_floor(1) ");
+  EXPECT_THAT(Sensed(kElevators), HasSubstr("elevator_door(e2, closed)"));
+  EXPECT_EQ(Sensed(kGoal), "goal(r3_02) ");
+  EXPECT_EQ(sensors_[kSonar].facts.size(), 16U);
+}
+
+TEST_F(OfficeWorldTest, ElevatorRide_ChangesTheFloor) {
+  ASSERT_TRUE(Load({{"start", "l1_e1"}, {"goal", "l3_e1"}, {"elevator_calls", "0"}}).empty());
+  const auto open = [&] {
+    const Elevator& e = world_.state().elevators[0];
+    return e.floor() == world_.state().floor && e.door() == Elevator::Door::kOpen;
+  };
+  for (int i = 0; i < 900 && !open(); ++i) {
+    Tick({}, {Make("call", {Word("e1"), Term::Integer(1)})});
+  }
+  ASSERT_TRUE(open());
+  ASSERT_TRUE(DriveTo(PlaceOf("cab_e1")));
+  EXPECT_THAT(Sensed(kPlace), HasSubstr("cab_e1"));
+  for (int i = 0; i < 900 && !(open() && world_.state().floor == 2); ++i) {
+    Tick({}, {Make("ride", {Word("e1"), Term::Integer(3)})});
+  }
+  EXPECT_EQ(world_.state().floor, 2);
+  DriveTo(PlaceOf("l3_e1"));
+  EXPECT_EQ(world_.outcome().state, sdk::Outcome::State::kReached);
+  EXPECT_EQ(world_.outcome().message, "reached l3_e1");
+}
+
+TEST_F(OfficeWorldTest, DrivingIntoAShutDoor_IsACollision) {
+  ASSERT_TRUE(Load({{"start", "c1_08"}, {"shut", "d1_08"}, {"start_heading", "0"}}).empty());
+  EXPECT_FALSE(DriveTo(PlaceOf("i1_08")));
+  EXPECT_EQ(world_.outcome().state, sdk::Outcome::State::kFailed);
+  EXPECT_EQ(world_.Measures()[0].second, 1.0);
+  EXPECT_THAT(Sensed(kDoors), HasSubstr("door_shut(d1_08)"));
+}
+
+TEST_F(OfficeWorldTest, Halt_OverridesForward) {
+  ASSERT_TRUE(Load({{"start", "l1_mid"}}).empty());
+  for (int i = 0; i < 10; ++i) Tick({Make("halt", {}), Make("fwd", {Term::Real(0.5)})});
+  EXPECT_EQ(world_.state().vehicle->travelled(), 0.0);
+}
+
+TEST_F(OfficeWorldTest, NotANumber_IsIgnored) {
+  ASSERT_TRUE(Load({{"start", "l1_mid"}}).empty());
+  for (int i = 0; i < 10; ++i) Tick({Make("fwd", {Term::Real(std::nan(""))})});
+  EXPECT_EQ(world_.state().vehicle->travelled(), 0.0);
+}
+
+TEST_F(OfficeWorldTest, SameSeed_SameRun_AnotherSeed_Another) {
+  const auto run = [&](std::uint64_t seed) {
+    EXPECT_TRUE(Load({{"boxes", "10"}, {"people", "8"}, {"sonar_noise", "0.05"}}, seed).empty());
+    tick_ = 0;
+    std::string text;
+    for (int i = 0; i < 100; ++i) {
+      Tick({Make("turn", {Term::Real(0.3)})});
+      text += Sensed(kSonar) + Sensed(kPose) + Sensed(kElevators);
+    }
+    return text;
+  };
+  const std::string first = run(5);
+  EXPECT_EQ(first, run(5));
+  EXPECT_NE(first, run(6));
+}
+
+TEST_F(OfficeWorldTest, PeopleAndBoxes_NeverTouchAStandingRobotOrTheWays) {
+  ASSERT_TRUE(Load({{"start", "xx"}}).size() == 1);
+  ASSERT_TRUE(Load({{"start", "x1_s1"}, {"people", "40"}, {"boxes", "40"}}, 3).empty());
+  const Building& building = world_.state().building;
+  EXPECT_GE(world_.state().record.boxes.size(), 30U);
+  for (const Edge& edge : building.edges) {
+    const Landmark& a = building.landmarks[edge.a];
+    const auto floor = static_cast<std::size_t>(a.floor);
+    EXPECT_TRUE(
+        IsLineFree(world_.state().maps[floor], a.place, building.landmarks[edge.b].place, 0.40));
+  }
+  for (int i = 0; i < 1500; ++i) {
+    Tick({});
+    for (const Disc& person : world_.state().people->On(0)) {
+      const Point robot = PointOf(world_.state().vehicle->pose());
+      ASSERT_GT(Distance(person.centre, robot), person.radius + 0.25);
+    }
+  }
+}
+
+TEST_F(OfficeWorldTest, Mistakes_AreReportedAllAtOnceWithPlaceAndHint) {
+  const auto wrong = Load({{"start", "r1_7"}, {"goal", "r9_99"}, {"shut", "d1_08 dd"}});
+  ASSERT_EQ(wrong.size(), 3U);
+  EXPECT_EQ(wrong[0].place.line, 3U);
+  const std::string text = logic::Format(wrong);
+  EXPECT_THAT(text, HasSubstr("no door 'dd'"));
+  EXPECT_THAT(text, HasSubstr("no landmark 'r1_7'"));
+}
+
+TEST_F(OfficeWorldTest, MalformedBuilding_NamesLines) {
+  const TemporaryFolder folder;
+  const auto file = folder.Write("b.p",
+                                 "cnf(a, axiom, floor(1, 'none.png', 0.05)).\n"
+                                 "cnf(b, axiom, landmrk(x, 1, 2.0, 3.0)).\n"
+                                 "cnf(c, axiom, adjacent(x, y)).\n");
+  const std::string text = logic::Format(Load({{"building", file.string()}}));
+  EXPECT_THAT(text, HasSubstr("b.p:1:"));
+  EXPECT_THAT(text, HasSubstr("no such file"));
+  EXPECT_THAT(text, HasSubstr("did you mean 'landmark'?"));
+  EXPECT_THAT(text, HasSubstr("b.p:3:"));
+}
+
+TEST_F(OfficeWorldTest, Events_ChangeTheWorldOrSayWhyNot) {
+  ASSERT_TRUE(Load({{"start", "d1_08"}}).empty());
+  EXPECT_TRUE(world_.HandleEvent(0, Make("door_shut", {Word("d1_09")})).empty());
+  EXPECT_TRUE(world_.state().doors[*world_.state().building.FindDoor("d1_09")].shut);
+  EXPECT_TRUE(world_.HandleEvent(0, Make("door_opened", {Word("d1_09")})).empty());
+  EXPECT_TRUE(world_.HandleEvent(0, Make("out_of_order", {Word("e2")})).empty());
+  EXPECT_FALSE(world_.state().elevators[1].in_service());
+  EXPECT_EQ(world_.HandleEvent(0, Make("door_shut", {Word("d1_08")})).size(), 1U);
+  EXPECT_EQ(world_.HandleEvent(0, Make("door_shut", {Word("nowhere")})).size(), 1U);
+  EXPECT_EQ(world_.HandleEvent(0, Make("rain", {})).size(), 1U);
+  EXPECT_EQ(world_.HandleEvent(0, Make("door_shut", {Term::Integer(3)})).size(), 1U);
+}
+
+TEST_F(OfficeWorldTest, Pictures_AreDrawnForEveryFloor) {
+  ASSERT_TRUE(Load({{"start", "l1_mid"}, {"boxes", "5"}, {"people", "5"}}).empty());
+  DriveTo(PlaceOf("l1_s"));
+  const TemporaryFolder folder;
+  const auto files = world_.Draw(folder.path());
+  ASSERT_EQ(files.size(), 4U);
+  for (const auto& file : files) EXPECT_GT(std::filesystem::file_size(file), 2000U) << file;
+  EXPECT_TRUE(world_.Draw("/nowhere/at/all").empty());
+}
+
+}  // namespace
+}  // namespace latchwork::office
