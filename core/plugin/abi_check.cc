@@ -23,12 +23,15 @@ bool IsKind(sdk::PluginKind kind) {
          kind == sdk::PluginKind::kWorld;
 }
 
-/// A name is part of the path of the plugin's data and of the text of agent files.
+bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// A name is part of the path of the plugin's data, and of agent files, whose rule for names this
+/// is.
 bool IsPlainName(std::string_view name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-';
-  });
+  return !name.empty() && IsLetter(name.front()) &&
+         std::all_of(name.begin(), name.end(), [](char c) {
+           return IsLetter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
+         });
 }
 
 void Compare(std::string_view what, const std::string& theirs, const std::string& ours,
@@ -50,7 +53,7 @@ void CompareFields(const sdk::PluginInfo& info, std::vector<std::string>& differ
   Compare("the sanitizers", TextOf(info.sanitizers), TextOf(kHere.sanitizers), differences);
   if (const std::string name = TextOf(info.name); !IsPlainName(name)) {
     differences.push_back(
-        fmt::format("named '{}': a name has letters, digits, '_' and '-' only", name));
+        fmt::format("named '{}': a name is a letter, then letters, digits, '_' and '-'", name));
   }
 }
 
