@@ -116,14 +116,21 @@ LoadedCells FromGridmap(const std::filesystem::path& file) {
   return FromGrid(grid, name);
 }
 
+/// The class was called CSensFrameProbSequence once; files of that time are still shipped.
+bool IsSimplemap(const std::vector<std::uint8_t>& bytes) {
+  for (const std::string_view name : {"CSimpleMap", "CSensFrameProbSequence"}) {
+    if (bytes.size() < name.size() + 6) continue;
+    if (std::memcmp(bytes.data() + 1, name.data(), name.size()) == 0) return true;
+    if (std::memcmp(bytes.data() + 4, name.data(), name.size()) == 0) return true;
+  }
+  return false;
+}
+
 LoadedCells FromSimplemap(const std::filesystem::path& file) {
   const std::string name = file.string();
   auto bytes = Unpack(file);
   if (!bytes) return Fail(name + ": cannot be read, or holds more than 512 MB");
-  constexpr std::string_view kName = "CSimpleMap";
-  if (bytes->size() < 16 || std::memcmp(bytes->data() + 1, kName.data(), kName.size()) != 0) {
-    return Fail(name + ": not an MRPT simplemap");
-  }
+  if (!IsSimplemap(*bytes)) return Fail(name + ": not an MRPT simplemap");
   mrpt::io::CMemoryStream stream;
   stream.assignMemoryNotOwn(bytes->data(), bytes->size());
   auto archive = mrpt::serialization::archiveFrom(stream);
