@@ -132,7 +132,7 @@ std::vector<ParameterSpec> OfficeParameters() {
       Number("max_speed", "0.6", 0.05, 2.0, "m/s", "of the robot"),
       Count("sonars", "16", 1, 360, "in the ring"),
       Number("sonar_cone", "25", 0.0, 90.0, "deg", "full opening angle"),
-      Count("sonar_rays", "13", 1, 181, "cast in a cone"),
+      Count("sonar_rays", "11", 1, 181, "cast in a cone"),
       Number("sonar_range", "5", 0.2, 50.0, "m", "farthest echo"),
       Number("sonar_min_range", "0.05", 0.0, 1.0, "m", "nearer echoes read as this"),
       Number("sonar_noise", "0.01", 0.0, 1.0, "m", "standard deviation of a reading"),

@@ -11,10 +11,10 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::infinity();
 
-double CastAtDisc(Point from, double angle, const Disc& disc) {
+double CastAtDisc(Point from, Point direction, const Disc& disc) {
   const double dx = disc.centre.x - from.x;
   const double dy = disc.centre.y - from.y;
-  const double along = dx * std::cos(angle) + dy * std::sin(angle);
+  const double along = dx * direction.x + dy * direction.y;
   const double squared = disc.radius * disc.radius - (dx * dx + dy * dy - along * along);
   if (squared < 0.0) return kNothing;
   const double half = std::sqrt(squared);
@@ -62,7 +62,9 @@ double SonarRing::Cone(const FloorMap& map, Point from, double axis) const {
     const double offset = last == 0 ? 0.0 : options_.cone / 2.0 * (2 * ray - last) / last;
     const double angle = axis + offset;
     nearest = std::min(nearest, map.CastRay(from, angle, options_.max_range));
-    for (const Disc& disc : near_) nearest = std::min(nearest, CastAtDisc(from, angle, disc));
+    if (near_.empty()) continue;
+    const Point direction{std::cos(angle), std::sin(angle)};
+    for (const Disc& disc : near_) nearest = std::min(nearest, CastAtDisc(from, direction, disc));
   }
   return nearest <= options_.max_range ? nearest : kNothing;
 }

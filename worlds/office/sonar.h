@@ -15,7 +15,7 @@ namespace latchwork::office {
 struct SonarOptions {
   int count = 16;
   double cone = 25.0 * std::numbers::pi / 180.0;  ///< Full opening angle, rad.
-  int rays = 13;                                  ///< In a cone, symmetric about its axis.
+  int rays = 11;                                  ///< In a cone, symmetric about its axis.
   double min_range = 0.05;                        ///< m; nearer echoes read as this.
   double max_range = 5.0;                         ///< m
   double mount_radius = 0.25;                     ///< From the robot's centre, m.
