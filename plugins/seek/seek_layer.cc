@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/seek/seek_layer.h"
+
+#include <memory>
+#include <numbers>
+
+#include "plugins/seek/bearing.h"
+
+namespace latchwork::seek {
+namespace {
+
+using sdk::ArgumentSpec;
+using sdk::ArgumentType;
+using sdk::ParameterSpec;
+using sdk::ParameterType;
+using sdk::PortSpec;
+using sdk::PredicateSpec;
+
+const ArgumentSpec kX{"x", ArgumentType::kReal, "m"};
+const ArgumentSpec kY{"y", ArgumentType::kReal, "m"};
+const ArgumentSpec kAngle{"angle", ArgumentType::kReal, "rad"};
+const ArgumentSpec kObject{"object", ArgumentType::kAny, ""};
+
+sdk::Contract MakeContract() {
+  PortSpec pose{.name = "pose",
+                .predicates = {{"curr_location", {kX, kY}, "in the building's frame"},
+                               {"curr_heading", {kAngle}, "counter-clockwise from the x axis"}},
+                .help = "where the robot is"};
+  PortSpec destination{.name = "destination",
+                       .predicates = {{"move_cmd", {kX, kY}, "go there"}},
+                       .help = "where to go, from above; silent: nowhere"};
+  PortSpec push{
+      .name = "push",
+      .predicates = {{"object", {kObject}, "the pushing object"},
+                     {"distance", {kObject, {"distance", ArgumentType::kReal, "m"}}, "to it"},
+                     {"direction", {kObject, kAngle}, "opposite the destination's sector"}},
+      .help = "a virtual object for layer 0"};
+  return {{std::move(pose), std::move(destination)}, {std::move(push)}};
+}
+
+std::vector<ParameterSpec> MakeParameters() {
+  return {{.name = "sectors",
+           .type = ParameterType::kInteger,
+           .default_value = "8",
+           .minimum = 4,
+           .maximum = 360,
+           .unit = "",
+           .help = "directions that the push is rounded to, relative to the heading",
+           .choices = {}},
+          {.name = "arrive_tolerance",
+           .type = ParameterType::kReal,
+           .default_value = "0.2",
+           .minimum = 0.01,
+           .maximum = 10,
+           .unit = "m",
+           .help = "nearer than this the destination is reached and nothing pushes",
+           .choices = {}},
+          {.name = "push_distance",
+           .type = ParameterType::kReal,
+           .default_value = "1.0",
+           .minimum = 0.1,
+           .maximum = 100,
+           .unit = "m",
+           .help = "of the pushing object behind the robot; the farther, the weaker",
+           .choices = {}}};
+}
+
+sdk::Goal GoalOf(const PredicateSpec& predicate, logic::SymbolTable& symbols) {
+  std::vector<logic::Term> variables;
+  for (std::size_t i = 0; i < predicate.arguments.size(); ++i) {
+    variables.push_back(logic::Term::Var(static_cast<logic::Variable>(i)));
+  }
+  return {{symbols.Intern(predicate.name), variables}, variables.size()};
+}
+
+}  // namespace
+
+const sdk::Contract& SeekLayer::contract() const {
+  static const sdk::Contract contract = MakeContract();
+  return contract;
+}
+
+std::span<const ParameterSpec> SeekLayer::parameters() const {
+  static const std::vector<ParameterSpec> parameters = MakeParameters();
+  return parameters;
+}
+
+sdk::Body SeekLayer::MakeBody(std::string_view language, const sdk::Parameters& parameters,
+                              const std::filesystem::path& data,
+                              logic::SymbolTable& symbols) const {
+  sdk::Body body;
+  body.language = language;
+  body.files = {data / "seek.p"};
+  body.facts = sdk::ParameterFacts(parameters, symbols);
+  const double width = 2.0 * std::numbers::pi / static_cast<double>(parameters.Integer("sectors"));
+  body.facts.emplace_back(symbols.Intern("sector_width"),
+                          std::initializer_list<logic::Term>{logic::Term::Real(width)});
+  for (const PortSpec& port : contract().inputs) {
+    for (const PredicateSpec& predicate : port.predicates) {
+      body.inputs.push_back({symbols.Intern(predicate.name), predicate.arguments.size()});
+    }
+  }
+  for (const PredicateSpec& predicate : contract().outputs[0].predicates) {
+    body.goals.push_back(GoalOf(predicate, symbols));
+  }
+  body.minimized = {{{symbols.Intern("move_cmd"), 2}, 0}};
+  body.attachments = {std::make_shared<Bearing>()};
+  return body;
+}
+
+}  // namespace latchwork::seek
