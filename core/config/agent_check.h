@@ -89,7 +89,7 @@ struct FoundPort {
 
 /// Finds "part.port"; reports an unknown part or port, or one of the other side. `role` says what
 /// it is for.
-std::optional<FoundPort> FindPort(AgentCheck& check, const Attribute& attribute, PortSide side);
+std::optional<FoundPort> FindPort(AgentCheck& check, const Attribute* attribute, PortSide side);
 /// The index of a part by name; nothing when there is none.
 std::optional<std::size_t> FindPart(const AgentCheck& check, std::string_view name);
 std::vector<std::string> PartNames(const AgentCheck& check);

@@ -33,11 +33,8 @@ bool CheckEnds(AgentCheck& check, const Element& element, const FoundPort& by,
 }
 
 void CheckInhibition(AgentCheck& check, const Element& element) {
-  const Attribute* by_name = element.Find("by");
-  const Attribute* output_name = element.Find("output");
-  const auto by = by_name == nullptr ? std::nullopt : FindPort(check, *by_name, PortSide::kOutput);
-  const auto output =
-      output_name == nullptr ? std::nullopt : FindPort(check, *output_name, PortSide::kOutput);
+  const auto by = FindPort(check, element.Find("by"), PortSide::kOutput);
+  const auto output = FindPort(check, element.Find("output"), PortSide::kOutput);
   if (!by || !output || !CheckEnds(check, element, *by, *output)) return;
   Inhibition inhibition{by->address, output->address, check.agent.layers[by->address.part].period,
                         element.place};

@@ -57,8 +57,9 @@ std::optional<std::size_t> FindPart(const AgentCheck& check, std::string_view na
   return static_cast<std::size_t>(found - layers.begin());
 }
 
-std::optional<FoundPort> FindPort(AgentCheck& check, const Attribute& attribute, PortSide side) {
-  const std::string_view text = attribute.value;
+std::optional<FoundPort> FindPort(AgentCheck& check, const Attribute* attribute, PortSide side) {
+  if (attribute == nullptr) return std::nullopt;
+  const std::string_view text = attribute->value;
   const std::size_t dot = text.find('.');
   if (dot == std::string_view::npos) return std::nullopt;
   const std::string_view part_name = text.substr(0, dot);
@@ -66,7 +67,7 @@ std::optional<FoundPort> FindPort(AgentCheck& check, const Attribute& attribute,
   const auto part = FindPart(check, part_name);
   if (!part) {
     if (check.is_whole) {
-      check.Say(attribute.place, fmt::format("there is no part '{}'", part_name),
+      check.Say(attribute->place, fmt::format("there is no part '{}'", part_name),
                 NameHint(part_name, PartNames(check)));
     }
     return std::nullopt;
@@ -74,12 +75,9 @@ std::optional<FoundPort> FindPort(AgentCheck& check, const Attribute& attribute,
   const PluginFacts* facts = check.FactsOf(*part);
   if (facts == nullptr) return FoundPort{{*part, 0}, nullptr};
   const auto& ports = PortsOf(facts->contract, side);
-  const auto port = IndexOf(ports, port_name);
-  if (!port) {
-    SayUnknownPort(check, attribute, *part, port_name, side);
-    return std::nullopt;
-  }
-  return FoundPort{{*part, *port}, &ports[*port]};
+  if (const auto port = IndexOf(ports, port_name)) return FoundPort{{*part, *port}, &ports[*port]};
+  SayUnknownPort(check, *attribute, *part, port_name, side);
+  return std::nullopt;
 }
 
 }  // namespace latchwork::config

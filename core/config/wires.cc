@@ -25,23 +25,26 @@ class WireCheck {
   void CheckWire(const Element& element) {
     const Attribute* from = element.Find("from");
     const Attribute* to = element.Find("to");
-    const auto source = from == nullptr ? std::nullopt : FindPort(check_, *from, PortSide::kOutput);
-    const auto target = to == nullptr ? std::nullopt : FindPort(check_, *to, PortSide::kInput);
+    const std::optional<FoundPort> source = FindPort(check_, from, PortSide::kOutput);
+    const std::optional<FoundPort> target = FindPort(check_, to, PortSide::kInput);
     if (!target) NoteUnresolved(to);
     if (target && target->spec != nullptr) CheckTarget(*to, target->address, element.place);
     if (!source || !target) return;
     Wire wire{source->address, target->address, std::nullopt, element.place};
-    const bool is_allowed = CheckDirection(element, wire);
-    if (is_allowed && source->spec != nullptr && target->spec != nullptr) {
-      if (auto mismatch = Compare(*source->spec, *target->spec)) {
-        check_.Say(element.place,
-                   fmt::format("the wire from '{}' to '{}' does not fit: {}", from->value,
-                               to->value, mismatch->message),
-                   mismatch->hint);
-      }
-    }
+    if (CheckDirection(element, wire)) CheckFit(element, *source, *target);
     wire.stale_after = CheckStaleAfter(element, wire.from.part);
     check_.agent.wires.push_back(std::move(wire));
+  }
+
+  void CheckFit(const Element& element, const FoundPort& source, const FoundPort& target) {
+    if (source.spec == nullptr || target.spec == nullptr) return;
+    const auto mismatch = Compare(*source.spec, *target.spec);
+    if (!mismatch) return;
+    check_.Say(
+        element.place,
+        fmt::format("the wire from '{}' to '{}' does not fit: {}", element.Find("from")->value,
+                    element.Find("to")->value, mismatch->message),
+        mismatch->hint);
   }
 
   /// An input may seem unwired only because the wire to it is misspelt.
