@@ -22,7 +22,7 @@ struct Include {
   std::string name;
 };
 
-/// A part may include the parts that `sees` names, besides its own folder.
+/// A part may include the parts that `sees` names, besides its own folder: parts of core, or folders.
 struct Part {
   std::string_view folder;
   std::string_view sees;
@@ -37,7 +37,7 @@ constexpr std::array<Part, 11> kParts = {{
     {"reasoners/", "logic sdk"},
     {"plugins/", "logic sdk"},
     {"worlds/", "logic sdk"},
-    {"apps/", "logic sdk config plugin schedule record"},
+    {"apps/", "logic sdk config plugin schedule record reasoners/pttp"},
     {"tests/", "logic sdk config plugin schedule record"},
 }};
 
@@ -127,7 +127,7 @@ bool MaySee(const std::string& from, const std::string& target) {
       kParts, [&](const Part& candidate) { return from.starts_with(candidate.folder); });
   return part != kParts.end() &&
          std::ranges::any_of(Words(part->sees), [&](const std::string& name) {
-           return target.starts_with("core/" + name + "/");
+           return target.starts_with("core/" + name + "/") || target.starts_with(name + "/");
          });
 }
 

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/latchwork/run_agent.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <fstream>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "apps/latchwork/command.h"
+#include "apps/latchwork/run_json.h"
+#include "latchwork/logic/diagnostic.h"
+#include "latchwork/logic/symbol.h"
+#include "latchwork/record/journal_writer.h"
+#include "latchwork/schedule/agent.h"
+#include "latchwork/schedule/lockstep.h"
+
+namespace latchwork::app {
+namespace {
+
+/// Keeps the first fault of each layer and kind, and tells how far the run has come.
+class RunWatch : public schedule::RunObserver {
+ public:
+  RunWatch(std::vector<schedule::Fault>& faults, const TickNotice& notice, std::uint64_t total)
+      : faults_(faults), notice_(notice), total_(total) {}
+
+  bool OnTick(const schedule::TickRecord& record) override {
+    for (const schedule::Fault& fault : record.faults) Keep(fault);
+    notice_(record.tick + 1, total_);
+    return true;
+  }
+
+ private:
+  void Keep(const schedule::Fault& fault) {
+    const bool known = std::any_of(faults_.begin(), faults_.end(), [&](const auto& other) {
+      return other.layer == fault.layer && other.kind == fault.kind;
+    });
+    if (!known) faults_.push_back(fault);
+  }
+
+  std::vector<schedule::Fault>& faults_;
+  const TickNotice& notice_;
+  std::uint64_t total_;
+};
+
+int ExitCodeOf(schedule::RunResult::State state) {
+  return state == schedule::RunResult::State::kReached ? kDone : kGoalNotReached;
+}
+
+/// Stops here when anything is wrong: `run` then carries errors and exit code.
+std::optional<schedule::Agent> Prepare(const RunRequest& request, const plugin::Registry& registry,
+                                       logic::SymbolTable& symbols, FinishedRun& run) {
+  config::AgentFile file =
+      config::ReadAgentFile(request.agent_file, schedule::MakeCatalog(registry), request.overrides, symbols);
+  if (!file.agent) {
+    run.errors = logic::Format(file.diagnostics);
+    run.exit_code = file.plugin_failure ? kPluginFailure : kInvalidInput;
+    return std::nullopt;
+  }
+  schedule::AssembledAgent assembled = schedule::AssembleAgent(
+      std::move(*file.agent), schedule::MakePartFactory(registry), symbols, request.seed);
+  if (!assembled.agent) {
+    run.errors = logic::Format(assembled.diagnostics);
+    run.exit_code = assembled.plugin_failure ? kPluginFailure : kInvalidInput;
+  }
+  return std::move(assembled.agent);
+}
+
+bool MakeFolder(const std::filesystem::path& folder, FinishedRun& run) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error) return true;
+  run.errors = fmt::format("latchwork: cannot make the folder {}: {}\n", folder.string(), error.message());
+  run.exit_code = kUsage;
+  return false;
+}
+
+void WriteFile(const std::filesystem::path& file, const std::string& text, FinishedRun& run) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (stream) {
+    run.written.push_back(file);
+  } else {
+    run.errors += fmt::format("latchwork: cannot write {}\n", file.string());
+    run.exit_code = std::max<int>(run.exit_code, kInternalError);
+  }
+}
+
+void WriteResults(const RunRequest& request, const sdk::World& world, FinishedRun& run) {
+  WriteFile(request.out / "summary.json", ToJson({run}) + "\n", run);
+  for (std::filesystem::path& picture : world.Draw(request.out)) run.written.push_back(std::move(picture));
+}
+
+}  // namespace
+
+FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry, const TickNotice& notice) {
+  FinishedRun run;
+  run.request = request;
+  logic::SymbolTable symbols;
+  std::optional<schedule::Agent> agent = Prepare(request, registry, symbols, run);
+  if (!agent) return run;
+  if (!request.out.empty() && !MakeFolder(request.out, run)) return run;
+
+  run.agent_name = agent->description.name;
+  for (const auto& layer : agent->description.layers) run.layer_names.push_back(layer.name);
+  RunWatch watch(run.faults, notice, request.ticks.value_or(agent->description.max_ticks));
+  schedule::LockstepOptions options;
+  options.threads = request.threads;
+  options.max_ticks = request.ticks;
+  options.observers.push_back(&watch);
+  std::unique_ptr<record::JournalWriter> journal;
+  if (!request.out.empty()) {
+    journal = std::make_unique<record::JournalWriter>(request.out / "run.journal", *agent, registry);
+    options.observers.push_back(journal.get());
+  }
+  const std::shared_ptr<sdk::World> world = agent->world;
+  schedule::Lockstep lockstep(std::move(*agent), options);
+  run.result = lockstep.Run();
+  run.began = true;
+  run.exit_code = ExitCodeOf(run.result.state);
+  if (!request.out.empty()) WriteResults(request, *world, run);
+  return run;
+}
+
+std::string CommandOf(const RunRequest& request) {
+  std::string command = fmt::format("latchwork run {} --seed {}", request.agent_file.string(), request.seed);
+  if (request.scenario) command += fmt::format(" --scenario {}", request.scenario->string());
+  if (request.ticks) command += fmt::format(" --ticks {}", *request.ticks);
+  for (const config::Override& setting : request.overrides) {
+    command += fmt::format(" --set '{}.{}={}'", setting.part, setting.name, setting.value);
+  }
+  return command;
+}
+
+std::optional<config::Override> ParseOverride(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string_view::npos) return std::nullopt;
+  const std::size_t dot = text.substr(0, equals).rfind('.');
+  if (dot == std::string_view::npos || dot == 0 || dot + 1 == equals) return std::nullopt;
+  return config::Override{std::string(text.substr(0, dot)), std::string(text.substr(dot + 1, equals - dot - 1)),
+                          std::string(text.substr(equals + 1))};
+}
+
+}  // namespace latchwork::app

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_APPS_LATCHWORK_RUN_AGENT_H_
+#define LATCHWORK_APPS_LATCHWORK_RUN_AGENT_H_
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "latchwork/config/agent.h"
+#include "latchwork/plugin/registry.h"
+#include "latchwork/schedule/statistics.h"
+#include "latchwork/schedule/tick_record.h"
+
+namespace latchwork::app {
+
+/// One run of one agent file.
+struct RunRequest {
+  std::filesystem::path agent_file;
+  std::optional<std::filesystem::path> scenario;  ///< A fragment whose overrides and events come on top.
+  std::uint64_t seed = 1;
+  std::optional<std::uint64_t> ticks;
+  std::vector<config::Override> overrides;
+  std::filesystem::path out;  ///< Where journal, summary and pictures go; empty: nowhere.
+  unsigned threads = 1;
+};
+
+struct FinishedRun {
+  RunRequest request;
+  int exit_code = 0;
+  std::string agent_name;
+  std::string errors;  ///< Diagnostics or I/O errors, ready to print; empty when all went well.
+  schedule::RunResult result;                 ///< Only when the run began.
+  std::vector<schedule::Fault> faults;        ///< The first of each layer and kind, with its tick.
+  std::vector<std::string> layer_names;       ///< For the faults.
+  std::vector<std::filesystem::path> written;
+  bool began = false;
+};
+
+/// Told after every tick: ticks done and in all.
+using TickNotice = std::function<void(std::uint64_t done, std::uint64_t total)>;
+
+/// Reads, checks, assembles and runs, and writes what the run leaves behind.
+FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry, const TickNotice& notice);
+
+/// The command that repeats a run.
+std::string CommandOf(const RunRequest& request);
+
+/// "world.people=4" or "avoid.reasoner.depth=12"; nothing when it has not that shape.
+std::optional<config::Override> ParseOverride(std::string_view text);
+
+}  // namespace latchwork::app
+
+#endif  // LATCHWORK_APPS_LATCHWORK_RUN_AGENT_H_
