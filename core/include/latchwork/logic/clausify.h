@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "latchwork/logic/clause.h"
+#include "latchwork/logic/diagnostic.h"
 #include "latchwork/logic/formula.h"
 #include "latchwork/logic/symbol.h"
 
@@ -15,6 +16,8 @@ struct ClausifyOptions {
   /// A disjunction whose distribution would give more clauses than this is named by a fresh
   /// definition (Plaisted and Greenbaum 1986: only in the polarity in which it occurs).
   std::size_t distribution_limit = 24;
+  /// Symbols that all clauses together may be written with; bounds time and memory.
+  std::size_t max_symbols = 50'000'000;
 };
 
 /// Clauses equisatisfiable with the formulas: negation normal form, miniscoping, Skolemization with
@@ -23,7 +26,8 @@ struct ClausifyOptions {
 /// kNegatedConjecture. Tautologies are dropped, duplicate literals merged; clause order follows
 /// formula order.
 std::vector<Clause> Clausify(const std::vector<AnnotatedFormula>& formulas, SymbolTable& symbols,
-                             const ClausifyOptions& options = {});
+                             const ClausifyOptions& options = {},
+                             Diagnostics* diagnostics = nullptr);
 
 }  // namespace latchwork::logic
 
