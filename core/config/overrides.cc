@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -106,20 +107,47 @@ void Merge(AgentCheck& check, std::vector<Element>& elements, const Element& giv
   }
 }
 
+constexpr std::string_view kReasonerSuffix = ".reasoner";
+
+bool IsBudget(std::string_view name) { return name == "inferences" || name == "depth"; }
+
+bool IsPositiveInteger(std::string_view text, std::size_t digits) {
+  return !text.empty() && text.size() <= digits && text.front() != '0' &&
+         text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 /// --set part.name=value as the <override> that it stands for.
-Element AsElement(const Override& override, const logic::SourcePlace& place) {
+std::optional<Element> AsElement(AgentCheck& check, const Override& override,
+                                 const logic::SourcePlace& place) {
+  const bool is_reasoner = override.part.ends_with(kReasonerSuffix);
+  Element result{"override", {}, {}, "", place};
+  Element reasoner{"reasoner", {}, {}, "", place};
   Element param{"param",
                 {{"name", override.name, place, place}, {"value", override.value, place, place}},
                 {},
                 "",
                 place};
-  Element result{"override", {}, {}, "", place};
-  if (override.part.ends_with(".reasoner")) {
-    result.children.push_back({"reasoner", {}, {std::move(param)}, "", place});
+  if (is_reasoner && IsBudget(override.name)) {
+    if (!IsPositiveInteger(override.value, override.name == "depth" ? 9 : 18)) {
+      check.Say(place, fmt::format("{}.{} must be a positive integer, not '{}'", override.part,
+                                   override.name, override.value));
+      return std::nullopt;
+    }
+    reasoner.attributes.push_back({override.name, override.value, place, place});
+    result.children.push_back(std::move(reasoner));
+  } else if (is_reasoner) {
+    reasoner.children.push_back(std::move(param));
+    result.children.push_back(std::move(reasoner));
   } else {
     result.children.push_back(std::move(param));
   }
   return result;
+}
+
+std::string_view PartOf(const Override& override) {
+  std::string_view part = override.part;
+  if (part.ends_with(kReasonerSuffix)) part.remove_suffix(kReasonerSuffix.size());
+  return part;
 }
 
 }  // namespace
@@ -137,8 +165,9 @@ void ApplyOverrides(AgentCheck& check, std::vector<Element>& elements,
   }
   const logic::SourcePlace place{"command line", 0, 0};
   for (const Override& override : overrides) {
-    const std::string_view part = override.part;
-    Merge(check, elements, AsElement(override, place), place, part.substr(0, part.find('.')));
+    if (const auto element = AsElement(check, override, place)) {
+      Merge(check, elements, *element, place, PartOf(override));
+    }
   }
 }
 
