@@ -10,7 +10,18 @@
 namespace latchwork::office {
 
 /// The places of the ports in the contract.
-enum SensorPort : std::size_t { kSonar, kPose, kPlace, kElevators, kDoors, kGoal, kSensorPorts };
+enum SensorPort : std::size_t {
+  kSonar,
+  kPose,
+  kPlace,
+  kElevators,
+  kDoors,
+  kGoal,
+  kRobot,
+  kBuilding,
+  kDestination,
+  kSensorPorts
+};
 enum EffectorPort : std::size_t { kDrive, kElevatorButtons, kEffectorPorts };
 
 sdk::Contract OfficeContract();

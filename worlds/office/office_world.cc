@@ -9,6 +9,7 @@ namespace latchwork::office {
 namespace {
 
 using logic::Fact;
+using logic::Symbol;
 using logic::Term;
 
 constexpr double kCurtain = 0.15;       // beyond the robot's rim, m
@@ -34,6 +35,11 @@ logic::Diagnostics OfficeWorld::Load(const sdk::WorldSetup& setup,
   collisions_ = rides_ = 0;
   touching_ = false;
   last_turn_.reset();
+  destinations_.reset();
+  if (parameters.Boolean("destinations")) {
+    destinations_.emplace(setup.seed, state_->radius, tick_seconds_);
+  }
+  symbols_ = setup.symbols;
   InternWords(*setup.symbols);
   state_->record.route.reserve(4096);
   state_->record.people.reserve(4096);
@@ -52,6 +58,9 @@ void OfficeWorld::InternWords(logic::SymbolTable& symbols) {
   elevator_at_ = intern("elevator_at");
   elevator_door_ = intern("elevator_door");
   elevator_moving_ = intern("elevator_moving");
+  elevator_open_ = intern("elevator_open");
+  elevator_out_of_order_ = intern("elevator_out_of_order");
+  inside_ = intern("inside");
   out_of_order_ = intern("out_of_order");
   door_shut_ = intern("door_shut");
   goal_ = intern("goal");
@@ -60,6 +69,7 @@ void OfficeWorld::InternWords(logic::SymbolTable& symbols) {
   halt_ = intern("halt");
   call_ = intern("call");
   ride_ = intern("ride");
+  move_cmd_ = intern("move_cmd");
   door_states_.clear();
   for (const auto door : {Elevator::Door::kClosed, Elevator::Door::kOpening, Elevator::Door::kOpen,
                           Elevator::Door::kClosing}) {
@@ -72,6 +82,12 @@ void OfficeWorld::Observe(std::uint64_t tick, std::span<sdk::Batch> sensors) {
     batch.updated = true;
     batch.facts.clear();
   }
+  sensors[kRobot].updated = sensors[kBuilding].updated = tick == 0;
+  if (tick == 0) {
+    ObserveRobot(sensors[kRobot].facts);
+    ObserveBuilding(sensors[kBuilding].facts);
+  }
+  ObserveDestination(tick, sensors[kDestination].facts);
   ObserveSonar(tick, sensors[kSonar].facts);
   const Vehicle& vehicle = *state_->vehicle;
   const Pose pose = state_->odometry->Read(vehicle.pose(), vehicle.travelled(), tick);
@@ -118,7 +134,14 @@ void OfficeWorld::ObserveElevators(std::vector<Fact>& facts) const {
     const auto door = static_cast<std::size_t>(elevator.door());
     facts.emplace_back(Fact(elevator_door_, {name, Term::Constant(door_states_[door])}));
     if (elevator.is_moving()) facts.emplace_back(Fact(elevator_moving_, {name}));
-    if (!elevator.in_service()) facts.emplace_back(Fact(out_of_order_, {name}));
+    if (!elevator.in_service()) {
+      facts.emplace_back(Fact(out_of_order_, {name}));
+      facts.emplace_back(Fact(elevator_out_of_order_, {name}));
+    }
+    if (elevator.door() == Elevator::Door::kOpen) facts.emplace_back(Fact(elevator_open_, {name}));
+  }
+  if (const auto cab = CabAt(building, PointOf(state_->vehicle->pose()))) {
+    facts.emplace_back(Fact(inside_, {Term::Constant(building.elevators[*cab].name)}));
   }
 }
 
@@ -133,6 +156,51 @@ void OfficeWorld::ObserveDoors(std::vector<Fact>& facts) {
     if (state_->seen_shut[i] == 0) continue;
     facts.emplace_back(Fact(door_shut_, {Term::Constant(door.name)}));
   }
+}
+
+void OfficeWorld::ObserveRobot(std::vector<Fact>& facts) const {
+  const Symbol sonar_direction = symbols_->Intern("sonar_direction");
+  for (int n = 0; n < state_->sonars->size(); ++n) {
+    facts.emplace_back(
+        Fact(sonar_direction, {Term::Integer(n), Term::Real(state_->sonars->BearingOf(n))}));
+  }
+  facts.emplace_back(Fact(symbols_->Intern("robot_radius"), {Term::Real(state_->radius)}));
+}
+
+void OfficeWorld::ObserveBuilding(std::vector<Fact>& facts) const {
+  const Building& building = state_->building;
+  const auto number = [&](int floor) {
+    return Term::Integer(floor < 0 ? 0 : building.floors[static_cast<std::size_t>(floor)].number);
+  };
+  const auto name = [&](std::size_t landmark) {
+    return Term::Constant(building.landmarks[landmark].name);
+  };
+  for (const Landmark& landmark : building.landmarks) {
+    facts.emplace_back(Fact(symbols_->Intern("landmark"),
+                            {Term::Constant(landmark.name), number(landmark.floor),
+                             Term::Real(landmark.place.x), Term::Real(landmark.place.y)}));
+  }
+  const Symbol adjacent = symbols_->Intern("adjacent");
+  for (const Edge& edge : building.edges) {
+    facts.emplace_back(Fact(adjacent, {name(edge.a), name(edge.b)}));
+    facts.emplace_back(Fact(adjacent, {name(edge.b), name(edge.a)}));
+  }
+  for (const ElevatorShaft& shaft : building.elevators) {
+    const Term elevator = Term::Constant(shaft.name);
+    facts.emplace_back(Fact(symbols_->Intern("elevator"), {elevator}));
+    facts.emplace_back(Fact(symbols_->Intern("cab"), {elevator, name(shaft.cab_landmark)}));
+    for (std::size_t floor = 0; floor < shaft.lobbies.size(); ++floor) {
+      facts.emplace_back(
+          Fact(symbols_->Intern("elevator_front"),
+               {elevator, name(shaft.lobbies[floor]), number(static_cast<int>(floor))}));
+    }
+  }
+}
+
+void OfficeWorld::ObserveDestination(std::uint64_t tick, std::vector<Fact>& facts) {
+  if (!destinations_) return;
+  const Point place = destinations_->At(tick, state_->map(), PointOf(state_->vehicle->pose()));
+  facts.emplace_back(Fact(move_cmd_, {Term::Real(place.x), Term::Real(place.y)}));
 }
 
 void OfficeWorld::Apply(std::uint64_t /*tick*/, std::span<const sdk::Batch> effectors) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "latchwork/sdk/world.h"
+#include "worlds/office/destinations.h"
 #include "worlds/office/office_contract.h"
 #include "worlds/office/office_state.h"
 
@@ -47,6 +48,9 @@ class OfficeWorld final : public sdk::World {
   void ObservePlace(std::vector<logic::Fact>& facts) const;
   void ObserveElevators(std::vector<logic::Fact>& facts) const;
   void ObserveDoors(std::vector<logic::Fact>& facts);
+  void ObserveRobot(std::vector<logic::Fact>& facts) const;
+  void ObserveBuilding(std::vector<logic::Fact>& facts) const;
+  void ObserveDestination(std::uint64_t tick, std::vector<logic::Fact>& facts);
   void Drive(const sdk::Batch& batch);
   void PressButtons(const sdk::Batch& batch);
   void StepElevators(std::uint64_t tick);
@@ -65,6 +69,7 @@ class OfficeWorld final : public sdk::World {
   std::unique_ptr<OfficeState> state_;
   double tick_seconds_ = 0.1;
   bool end_at_collision_ = true;
+  std::optional<Destinations> destinations_;
   sdk::Outcome outcome_;
   std::uint64_t collisions_ = 0;
   std::uint64_t rides_ = 0;
@@ -72,8 +77,10 @@ class OfficeWorld final : public sdk::World {
   std::optional<double> last_turn_;
 
   logic::Symbol sonar_reading_, no_echo_, curr_location_, curr_heading_, curr_landmark_,
-      curr_floor_, elevator_at_, elevator_door_, elevator_moving_, out_of_order_, door_shut_, goal_,
-      fwd_, turn_, halt_, call_, ride_;
+      curr_floor_, elevator_at_, elevator_door_, elevator_moving_, elevator_open_,
+      elevator_out_of_order_, inside_, out_of_order_, door_shut_, goal_, fwd_, turn_, halt_, call_,
+      ride_, move_cmd_;
+  logic::SymbolTable* symbols_ = nullptr;
   std::vector<logic::Symbol> door_states_;  ///< By Elevator::Door.
 };
 

@@ -40,6 +40,7 @@ class SonarRing {
   /// call.
   std::span<const double> Read(const FloorMap& map, const Pose& pose, std::span<const Disc> discs,
                                std::uint64_t tick);
+  int size() const { return options_.count; }
   /// Direction of a sonar relative to straight ahead, rad, in (-pi, pi].
   double BearingOf(int sonar) const;
 
