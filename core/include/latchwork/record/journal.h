@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_RECORD_JOURNAL_H_
+#define LATCHWORK_RECORD_JOURNAL_H_
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "latchwork/config/agent.h"
+#include "latchwork/logic/diagnostic.h"
+#include "latchwork/plugin/registry.h"
+#include "latchwork/schedule/agent.h"
+
+namespace latchwork::record {
+
+/// Of the journal's format (docs/journal.md). A reader reads all versions up to its own.
+inline constexpr std::uint64_t kJournalVersion = 1;
+
+/// What a run is a function of, and what it takes to repeat it.
+struct JournalHeader {
+  struct Plugin {
+    std::string kind;
+    std::string name;
+    std::string fingerprint;
+    friend bool operator==(const Plugin&, const Plugin&) = default;
+  };
+  std::uint64_t version = kJournalVersion;
+  std::string agent;
+  std::string agent_file;
+  std::string scenario;            ///< A fragment on top of the agent file; empty for none.
+  std::string config_fingerprint;  ///< Of the agent file and its includes.
+  std::uint64_t seed = 0;
+  std::uint64_t tick_us = 0;
+  std::uint64_t max_ticks = 0;
+  std::vector<config::Override> overrides;
+  std::vector<Plugin> plugins;
+  std::string build;  ///< Version, compiler and standard library of the core.
+  std::string libm;   ///< Of what sin, cos, exp, … give on this machine.
+  std::vector<std::string> layers;
+};
+
+/// The header of a run. `max_ticks`: instead of the description's.
+JournalHeader MakeHeader(const schedule::Agent& agent, const plugin::Registry& registry,
+                         std::vector<config::Override> overrides = {},
+                         const std::filesystem::path& scenario = {},
+                         std::optional<std::uint64_t> max_ticks = std::nullopt);
+
+/// How `now` differs from what was recorded, one sentence each; empty when a replay must agree.
+std::vector<std::string> Differences(const JournalHeader& recorded, const JournalHeader& now);
+
+/// A whole frame of a tick.
+struct JournalTick {
+  std::uint64_t tick = 0;
+  std::string json;
+  std::uint64_t hash = 0;  ///< Chained over all ticks up to this one.
+};
+
+struct Journal {
+  JournalHeader header;
+  std::vector<JournalTick> ticks;
+  std::string end;  ///< The frame of the run's end (JSON); empty when there is none.
+  std::string
+      tail;  ///< What is wrong after the last whole frame; empty for a journal that ends well.
+  logic::Diagnostics diagnostics;  ///< Not empty: nothing else may be used.
+};
+
+/// Reads every whole frame. A journal that was cut at any byte is read up to there.
+Journal ReadJournal(const std::filesystem::path& file);
+Journal ReadJournalText(std::string_view bytes, std::string_view name);
+
+/// 16 hexadecimal digits.
+std::string HashText(std::uint64_t hash);
+
+}  // namespace latchwork::record
+
+#endif  // LATCHWORK_RECORD_JOURNAL_H_

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/record/header_json.h"
+
+#include <fmt/format.h>
+
+#include "core/record/tick_encoder.h"
+
+namespace latchwork::record {
+namespace {
+
+constexpr std::string_view kFormat = "latchwork journal";
+
+void Fill(const Json& json, JournalHeader& header) {
+  header.agent = json.at("agent").get<std::string>();
+  header.agent_file = json.at("agent_file").get<std::string>();
+  header.scenario = json.at("scenario").get<std::string>();
+  header.config_fingerprint = json.at("config").get<std::string>();
+  header.seed = json.at("seed").get<std::uint64_t>();
+  header.tick_us = json.at("tick_us").get<std::uint64_t>();
+  header.max_ticks = json.at("max_ticks").get<std::uint64_t>();
+  header.build = json.at("build").get<std::string>();
+  header.libm = json.at("libm").get<std::string>();
+  header.layers = json.at("layers").get<std::vector<std::string>>();
+  for (const Json& each : json.at("overrides")) {
+    header.overrides.push_back({each.at("part").get<std::string>(),
+                                each.at("name").get<std::string>(),
+                                each.at("value").get<std::string>()});
+  }
+  for (const Json& each : json.at("plugins")) {
+    header.plugins.push_back({each.at("kind").get<std::string>(),
+                              each.at("name").get<std::string>(),
+                              each.at("fingerprint").get<std::string>()});
+  }
+}
+
+}  // namespace
+
+std::string HeaderToJson(const JournalHeader& header) {
+  Json overrides = Json::array();
+  for (const config::Override& each : header.overrides) {
+    overrides.push_back({{"part", each.part}, {"name", each.name}, {"value", each.value}});
+  }
+  Json plugins = Json::array();
+  for (const JournalHeader::Plugin& each : header.plugins) {
+    plugins.push_back(
+        {{"kind", each.kind}, {"name", each.name}, {"fingerprint", each.fingerprint}});
+  }
+  return Dump({{"format", kFormat},
+               {"version", header.version},
+               {"agent", header.agent},
+               {"agent_file", header.agent_file},
+               {"scenario", header.scenario},
+               {"config", header.config_fingerprint},
+               {"seed", header.seed},
+               {"tick_us", header.tick_us},
+               {"max_ticks", header.max_ticks},
+               {"overrides", std::move(overrides)},
+               {"plugins", std::move(plugins)},
+               {"build", header.build},
+               {"libm", header.libm},
+               {"layers", header.layers}});
+}
+
+std::string HeaderFromJson(std::string_view json, JournalHeader& header) {
+  try {
+    const Json parsed = Json::parse(json);
+    if (parsed.at("format").get<std::string>() != kFormat) return "it is not a latchwork journal";
+    header.version = parsed.at("version").get<std::uint64_t>();
+    if (header.version > kJournalVersion) {
+      return fmt::format("it has version {} of the format; this program reads up to version {}",
+                         header.version, kJournalVersion);
+    }
+    Fill(parsed, header);
+    return {};
+  } catch (const Json::exception& error) {
+    return fmt::format("its header cannot be read: {}", error.what());
+  }
+}
+
+}  // namespace latchwork::record
