@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_PTTP_CALCULATOR_H_
+#define LATCHWORK_PTTP_CALCULATOR_H_
+
+#include <optional>
+#include <vector>
+
+#include "latchwork/logic/arithmetic.h"
+#include "reasoners/pttp/arena.h"
+#include "reasoners/pttp/functors.h"
+#include "reasoners/pttp/unifier.h"
+#include "reasoners/pttp/word.h"
+
+namespace latchwork::pttp {
+
+/// Ground arithmetic on words.
+class Calculator {
+ public:
+  Calculator(const Functors& functors, Arena& heap) : functors_(&functors), heap_(&heap) {}
+
+  /// Evaluates the interpreted functions of a ground term; nothing when one has no value.
+  std::optional<Word> Normalize(Word word);
+  /// Nothing when an argument is not a number.
+  static std::optional<bool> Decide(logic::Arithmetic::Predicate predicate, const Word* arguments,
+                                    std::size_t arity);
+  /// Whether two ground terms are known to be different: numbers and distinct objects by nature,
+  /// constants and compound terms under the unique-names assumption only.
+  bool Differ(Word a, Word b, bool unique_names);
+
+ private:
+  struct Visit {
+    Word word;
+    bool expanded;
+  };
+  std::optional<Word> Apply(const Word* block, const Word* arguments);
+
+  const Functors* functors_;
+  Arena* heap_;
+  std::vector<Visit> visits_;
+  std::vector<Word> values_;
+  std::vector<std::pair<Word, Word>> pairs_;
+};
+
+}  // namespace latchwork::pttp
+
+#endif  // LATCHWORK_PTTP_CALCULATOR_H_

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_PTTP_ENGINE_H_
+#define LATCHWORK_PTTP_ENGINE_H_
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "latchwork/logic/arithmetic.h"
+#include "latchwork/logic/clause.h"
+#include "latchwork/logic/symbol.h"
+#include "latchwork/sdk/attachment.h"
+#include "latchwork/sdk/decision.h"
+#include "latchwork/sdk/reasoner.h"
+#include "reasoners/pttp/compiler.h"
+#include "reasoners/pttp/facts.h"
+#include "reasoners/pttp/failure_cache.h"
+#include "reasoners/pttp/machine.h"
+#include "reasoners/pttp/meter.h"
+#include "reasoners/pttp/oracles.h"
+#include "reasoners/pttp/predicates.h"
+#include "reasoners/pttp/program.h"
+#include "reasoners/pttp/reach.h"
+
+namespace latchwork::pttp {
+
+struct EngineOptions {
+  bool unique_names = false;
+  bool reorder = true;
+  bool cache_attachments = true;
+};
+
+/// A compiled theory with its facts, and the searches in it. Everything that lasts for one decision
+/// only lies in memory that the next one reuses.
+class Engine final : public Oracles, private sdk::AttachmentContext {
+ public:
+  Engine(logic::SymbolTable& symbols, const EngineOptions& options);
+
+  // What the theory consists of. Declarations come before the clauses.
+  void DeclareInput(const logic::PredicateName& name);
+  void DeclareMinimized(const sdk::Minimized& minimized);
+  void DeclareAttachment(std::shared_ptr<sdk::Attachment> attachment, logic::SymbolTable& symbols);
+  /// Replaces all clauses and the facts among them. `facts` come first.
+  void SetTheory(std::vector<logic::Clause> clauses, std::span<const logic::Fact> facts);
+  /// A source of facts beside the theory's own, and its content.
+  std::size_t AddSource(std::string name);
+  void SetFacts(std::size_t source, std::span<const logic::Fact> facts);
+  void AddFact(std::size_t source, const logic::Fact& fact);
+  FactSource& source(std::size_t index) { return facts_.source(index); }
+  static constexpr std::size_t kBodySource = 0;
+
+  /// Forgets what the last decision found out. The meter starts.
+  void Begin(const sdk::Budget& budget);
+  /// Compiles a conjunction to be proved; `target` is reused, its terms live as long as `arena`'s.
+  void CompileQuery(std::span<const logic::Literal> query, std::size_t variables, Arena& arena,
+                    Contrapositive& target);
+  SearchEnd Search(const SearchRequest& request, ProofSink& sink);
+  /// Valid until clauses change or a predicate has facts for the first time.
+  const Reach& ReachFor(std::span<const Contrapositive* const> starts, bool closing);
+
+  const Program& program() const { return *program_; }
+  const Predicates& predicates() const { return predicates_; }
+  PredicateId NumberOf(const logic::PredicateName& name) { return predicates_.Number(name); }
+  Meter& meter() { return meter_; }
+  const std::vector<sdk::Assumption>& assumptions() const { return assumptions_; }
+  std::uint64_t attachment_calls() const { return attachment_calls_; }
+  /// A nested search met its depth bound.
+  bool bound_hit() const { return bound_hit_; }
+  /// Why something could not be determined; "" when nothing was.
+  const std::string& obstacle() const { return obstacle_; }
+
+  /// The instance of a literal under the bindings of a proof. Variables left are numbered from 0.
+  logic::Atom Instance(const CompiledLiteral& literal, const Word* slots);
+  logic::Atom Instance(const Node& node) const;
+
+  // Oracles
+  Closing Close(PredicateId predicate, std::span<const Word> arguments) override;
+  Computed* Compute(PredicateId predicate, std::span<const Word> arguments) override;
+
+ private:
+  /// One search inside another has its own machine and buffers.
+  struct Nest {
+    explicit Nest(const Workshop& workshop) : machine(workshop) {}
+    Machine machine;
+    Contrapositive query;
+    SearchRequest request;
+    VariantTable answers;
+    std::vector<logic::Term> terms;
+  };
+  struct KnownReach {
+    std::vector<std::uint32_t> key;
+    Reach reach;
+  };
+  struct ClosingRecord {
+    Closing closing;
+    bool open = true;
+  };
+  struct AttachmentEntry {
+    std::shared_ptr<sdk::Attachment> attachment;
+    std::vector<std::unique_ptr<Computed>> pool;
+    std::size_t used = 0;
+  };
+  class NestGuard;
+  class ProvedSink;
+  class AnswerForwarder;
+  class OutputCollector;
+
+  void ForEachProvable(std::span<const logic::Literal> query, std::size_t variables,
+                       sdk::AnswerSink& sink) override;
+  Closing CloseAnew(PredicateId predicate, std::span<const Word> arguments);
+  Computed* ComputeAnew(AttachmentEntry& entry, std::span<const Word> arguments, Nest& nest);
+  bool InputsFit(const sdk::Attachment::Signature& signature,
+                 std::span<const Word> arguments) const;
+  Nest* EnterNest();
+  void NoteEnd(SearchEnd end, const Machine& machine);
+  void NoteObstacle(std::string_view what, PredicateId predicate);
+  sdk::Assumption::State StateOf(SearchEnd end) const;
+
+  EngineOptions options_;
+  logic::Arithmetic arithmetic_;
+  Functors functors_;
+  Predicates predicates_;
+  FactStore facts_;
+  Compiler compiler_;
+  std::unique_ptr<Program> program_;
+  std::vector<std::unique_ptr<KnownReach>> reaches_;
+  std::vector<std::uint32_t> reach_key_;
+  std::vector<AttachmentEntry> attachments_;
+
+  Arena heap_;
+  Arena results_;
+  Meter meter_;
+  FailureCache failures_;
+  std::vector<std::unique_ptr<Nest>> nests_;
+  std::size_t depth_ = 0;
+  VariantTable closed_;
+  std::vector<ClosingRecord> closings_;
+  VariantTable computed_;
+  std::vector<Computed*> computations_;
+  Computed* computing_ = nullptr;
+  std::vector<sdk::Assumption> assumptions_;
+  std::uint64_t attachment_calls_ = 0;
+  bool bound_hit_ = false;
+  std::string obstacle_;
+  mutable std::vector<Word> variables_;
+};
+
+}  // namespace latchwork::pttp
+
+#endif  // LATCHWORK_PTTP_ENGINE_H_

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_PTTP_PTTP_REASONER_H_
+#define LATCHWORK_PTTP_PTTP_REASONER_H_
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "latchwork/sdk/reasoner.h"
+#include "reasoners/pttp/engine.h"
+#include "reasoners/pttp/theory.h"
+
+namespace latchwork::pttp {
+
+/// Theories in TPTP syntax, decided by model elimination. Complete for first-order logic within the
+/// budget; minimized predicates are closed by bounded proof. Source: Stickel 1988; LSA (IJCAI-99),
+/// section 5.
+class PttpReasoner final : public sdk::Reasoner {
+ public:
+  std::string_view language() const override { return "tptp"; }
+  std::span<const sdk::ParameterSpec> parameters() const override;
+
+  logic::Diagnostics Load(const sdk::Body& body, const sdk::Parameters& parameters,
+                          logic::SymbolTable& symbols) override;
+  void Decide(std::span<const sdk::Latch> latches, const sdk::Budget& budget,
+              sdk::Decision& decision) override;
+  void Admit(std::span<const sdk::Latch> latches, std::size_t port,
+             std::span<const logic::Fact> batch, const sdk::Budget& budget,
+             std::vector<sdk::Refusal>& refused) override;
+  logic::Diagnostics Tell(std::string_view text) override;
+  logic::Diagnostics Retract(std::string_view name) override;
+  sdk::Derivation Explain(std::size_t conclusion) override;
+
+ private:
+  class GoalSink;
+  class ExplainSink;
+  class ConflictSink;
+
+  bool LoadLatches(std::span<const sdk::Latch> latches);
+  bool MayReuse(const sdk::Budget& budget) const;
+  bool IsConsistent(sdk::Decision& decision);
+  void SolveGoal(std::size_t goal, sdk::Decision& decision);
+  void Finish(sdk::Decision& decision);
+  void Recompile();
+  std::string Conflict(const logic::Fact& fact, SearchRequest& request);
+  SearchRequest RequestFor(std::size_t goal);
+
+  sdk::Body body_;
+  std::unique_ptr<Theory> theory_;
+  std::unique_ptr<Engine> engine_;
+  Arena goal_terms_;
+  std::vector<Contrapositive> goals_;
+  std::vector<std::size_t> sources_;  ///< One per latch.
+  std::size_t admitted_ = 0;          ///< The source that Admit fills.
+  SearchRequest request_;
+  SearchRequest consistency_request_;
+  VariantTable answers_;
+  std::uint64_t consistency_inferences_ = 0;
+  bool cache_decisions_ = true;
+
+  bool decided_ = false;  ///< `last_` stands for what is loaded now.
+  bool explainable_ = false;
+  sdk::Budget last_budget_;
+  sdk::Decision last_;
+  std::size_t conclusions_ = 0;
+  bool undecided_ = false;
+  bool found_ = false;
+};
+
+}  // namespace latchwork::pttp
+
+#endif  // LATCHWORK_PTTP_PTTP_REASONER_H_
