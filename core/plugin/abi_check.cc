@@ -64,8 +64,9 @@ bool HasKnownLayout(const sdk::PluginInfo& info) {
 }
 
 std::vector<std::string> AbiDifferences(const sdk::PluginInfo& info) {
-  if (info.magic != kHere.magic)
+  if (info.magic != kHere.magic) {
     return {"its plugin record does not begin with latchwork's magic number"};
+  }
   std::vector<std::string> differences;
   if (info.abi != kHere.abi) {
     differences.push_back(fmt::format(

@@ -56,8 +56,9 @@ std::string CheckHeader(const Elf64_Ehdr& header) {
     return fmt::format("is built for another machine (ELF machine {}, this is {})",
                        header.e_machine, kMachine);
   }
-  if (header.e_type != ET_DYN)
+  if (header.e_type != ET_DYN) {
     return fmt::format("is no shared library (ELF type {})", header.e_type);
+  }
   if (header.e_shnum == 0) return "has no section table, so its plugin record cannot be found";
   if (header.e_shentsize != sizeof(Elf64_Shdr)) {
     return fmt::format("is damaged: a section header of {} bytes", header.e_shentsize);
@@ -92,8 +93,9 @@ PluginInfoReading ReadSections(const Source& source, const Elf64_Ehdr& header) {
     return Problem("is truncated: its section table lies beyond its end");
   }
   const Elf64_Shdr& names_section = sections[header.e_shstrndx];
-  if (names_section.sh_size > kMaxNames)
+  if (names_section.sh_size > kMaxNames) {
     return Problem("is damaged: its section names are too long");
+  }
   std::vector<char> names(names_section.sh_size);
   if (!source.Read(names_section.sh_offset, std::span(names))) {
     return Problem("is truncated: its section names lie beyond its end");
