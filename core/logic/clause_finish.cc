@@ -28,15 +28,18 @@ std::optional<Clause> ClauseMaker::Finish(const LiteralIndices& indices, const C
 bool ClauseMaker::IsTautology(const LiteralIndices& indices) const {
   LiteralIndices sorted = indices;
   std::sort(sorted.begin(), sorted.end(), [this](std::uint32_t a, std::uint32_t b) {
-    return literals_[a].atom < literals_[b].atom;
+    const Literal& x = literals_[a];
+    const Literal& y = literals_[b];
+    const auto by_atom = x.atom <=> y.atom;
+    return by_atom != 0 ? by_atom < 0 : x.positive < y.positive;
   });
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const Literal& literal = literals_[sorted[i]];
     const Atom& atom = literal.atom;
     if (literal.positive && IsEquation(atom) && atom.argument(0) == atom.argument(1)) return true;
-    for (std::size_t j = i + 1; j < sorted.size() && literals_[sorted[j]].atom == atom; ++j) {
-      if (literals_[sorted[j]].positive != literal.positive) return true;
-    }
+    if (i == 0) continue;
+    const Literal& before = literals_[sorted[i - 1]];
+    if (before.positive != literal.positive && before.atom == atom) return true;
   }
   return false;
 }

@@ -148,18 +148,15 @@ std::vector<Term> ClauseMaker::SkolemArguments(Id quantifier) {
     free = (*free_)[node.children[0]];
   }
   std::vector<Term> arguments;
-  std::vector<bool> seen(sources_.size());
   for (const Variable each : free) {
     if (each == node.variables[0]) continue;
     const Term& bound = *bindings_[each];
     const auto universal =
         bound.is_variable() ? std::span<const Term>(&bound, 1) : bound.arguments();
-    for (const Term& term : universal) {
-      if (seen[term.variable()]) continue;
-      seen[term.variable()] = true;
-      arguments.push_back(term);
-    }
+    arguments.insert(arguments.end(), universal.begin(), universal.end());
   }
+  std::sort(arguments.begin(), arguments.end());
+  arguments.erase(std::unique(arguments.begin(), arguments.end()), arguments.end());
   return arguments;
 }
 

@@ -66,9 +66,7 @@ class Miniscoper {
     const Id child = node.children[0];
     tree_.nodes[id] = std::move(tree_.nodes[child]);
     free_[id] = std::move(free_[child]);
-    for (auto each = node.variables.rbegin(); each != node.variables.rend(); ++each) {
-      Push(node.kind, *each, id);
-    }
+    for (const Variable each : node.variables) Push(node.kind, each, id);
   }
 
   void Push(Kind quantifier, Variable variable, Id id) {

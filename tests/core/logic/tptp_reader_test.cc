@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "latchwork/logic/tptp.h"
+
+namespace latchwork::logic {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+class TptpReaderTest : public testing::Test {
+ protected:
+  TptpFile Read(std::string_view text) { return ReadTptp(text, "test.p", symbols_); }
+
+  /// The one formula of a text, as it prints.
+  std::string ReadOne(std::string_view text) {
+    const TptpFile file = Read(text);
+    EXPECT_THAT(Format(file.diagnostics), IsEmpty());
+    EXPECT_THAT(file.formulas, SizeIs(1));
+    if (file.formulas.size() != 1) return {};
+    return ToString(file.formulas[0].formula, file.formulas[0].variable_names);
+  }
+
+  std::string ReadFof(const std::string& formula) {
+    return ReadOne("fof(n, axiom, " + formula + ").");
+  }
+  std::string ReadCnf(const std::string& formula) {
+    return ReadOne("cnf(n, axiom, " + formula + ").");
+  }
+
+  SymbolTable symbols_;
+};
+
+TEST_F(TptpReaderTest, Atoms_AreRead) {
+  EXPECT_EQ(ReadFof("p"), "p");
+  EXPECT_EQ(ReadFof("p(a,f(b),-1,2.5e-3)"), "p(a, f(b), -1, 0.0025)");
+  EXPECT_EQ(ReadFof("a=b"), "a = b");
+  EXPECT_EQ(ReadFof("a!=b"), "a != b");
+  EXPECT_EQ(ReadFof("~ a = b"), "a != b");
+  EXPECT_EQ(ReadFof("$true"), "$true");
+  EXPECT_EQ(ReadFof("$less(1, $sum(2, +3))"), "$less(1, $sum(2, 3))");
+  EXPECT_EQ(ReadFof("'cat'('Dog', \"Obj\", 'it\\'s')"), "cat('Dog', \"Obj\", 'it\\'s')");
+  EXPECT_EQ(ReadFof("p(-9223372036854775808)"), "p(-9223372036854775808)");
+}
+
+TEST_F(TptpReaderTest, Connectives_AreRead) {
+  EXPECT_EQ(ReadFof("a & b & c"), "a & b & c");
+  EXPECT_EQ(ReadFof("(a & b) | c"), "(a & b) | c");
+  EXPECT_EQ(ReadFof("a => b"), "a => b");
+  EXPECT_EQ(ReadFof("a <= b"), "b => a");
+  EXPECT_EQ(ReadFof("a <=> b"), "a <=> b");
+  EXPECT_EQ(ReadFof("a <~> b"), "~ (a <=> b)");
+  EXPECT_EQ(ReadFof("a ~| b"), "~ (a | b)");
+  EXPECT_EQ(ReadFof("a ~& b"), "~ (a & b)");
+  EXPECT_EQ(ReadFof("~ ~ a & b"), "~ ~ a & b");
+}
+
+TEST_F(TptpReaderTest, Quantifiers_BindTightest) {
+  EXPECT_EQ(ReadFof("! [X] : p(X) & q"), "! [X] : p(X) & q");
+  EXPECT_EQ(ReadFof("! [X,Y] : ? [Z] : (p(X,Z) => q(Y))"), "! [X, Y] : ? [Z] : (p(X, Z) => q(Y))");
+  EXPECT_EQ(ReadFof("! [X] :-1 = X"), "! [X] : -1 = X");
+}
+
+TEST_F(TptpReaderTest, ShadowedVariable_GetsItsOwnNumber) {
+  const TptpFile file = Read("fof(n, axiom, ! [X] : (? [X] : p(X) & q(X))).");
+  ASSERT_THAT(file.formulas, SizeIs(1));
+  EXPECT_EQ(ToString(file.formulas[0].formula), "! [X0] : (? [X1] : p(X1) & q(X0))");
+}
+
+TEST_F(TptpReaderTest, Clauses_AreClosedAndFlat) {
+  EXPECT_EQ(ReadCnf("p(X) | ~ q(X,Y)"), "! [X, Y] : (p(X) | ~ q(X, Y))");
+  EXPECT_EQ(ReadCnf("( ~ (p) | (q | a != b) )"), "~ p | q | a != b");
+  EXPECT_EQ(ReadCnf("$false"), "$false");
+}
+
+TEST_F(TptpReaderTest, TypedFormulas_AreReadWithoutTypes) {
+  EXPECT_EQ(ReadOne("tff(p_type, type, p: ($int * $real) > $o).\n"
+                    "tff(n, axiom, ! [X: $int, Y: $real] : p(X, Y))."),
+            "! [X, Y] : p(X, Y)");
+}
+
+TEST_F(TptpReaderTest, Roles_FoldIntoThree) {
+  const TptpFile file = Read(
+      "fof(a, lemma, p). fof(1, conjecture, p). cnf('B b', negated_conjecture, p).\n"
+      "fof(d, axiom-local, p).");
+  ASSERT_THAT(file.formulas, SizeIs(4)) << Format(file.diagnostics);
+  EXPECT_EQ(file.formulas[0].role, Role::kAxiom);
+  EXPECT_EQ(file.formulas[1].role, Role::kConjecture);
+  EXPECT_EQ(file.formulas[1].name, "1");
+  EXPECT_EQ(file.formulas[2].role, Role::kNegatedConjecture);
+  EXPECT_EQ(file.formulas[2].name, "B b");
+  EXPECT_TRUE(file.formulas[2].is_clause);
+  EXPECT_EQ(file.formulas[3].place.line, 2U);
+}
+
+TEST_F(TptpReaderTest, CommentsAndAnnotations_AreIgnored) {
+  EXPECT_EQ(ReadOne("% one\n/* two\n**/fof(n, axiom, % three\n p, "
+                    "inference(r,[status(thm),bind(X,$fot(f(X)))],[a:[b],'c']),[x,$fof(p&q)])."),
+            "p");
+  EXPECT_EQ(ReadOne("cnf(n, axiom, p, file('a.p',n), [description('x')])."), "p");
+}
+
+TEST_F(TptpReaderTest, Distinct_SpellsOutInequalities) {
+  EXPECT_EQ(ReadFof("$distinct(a,b,c)"), "a != b & a != c & b != c");
+}
+
+TEST_F(TptpReaderTest, EmptyText_HasNoFormulas) {
+  const TptpFile file = Read(" % nothing\n");
+  EXPECT_THAT(file.formulas, IsEmpty());
+  EXPECT_THAT(file.diagnostics, IsEmpty());
+}
+
+TEST_F(TptpReaderTest, Atom_IsReadAlone) {
+  const TptpAtom atom = ReadTptpAtom("turn(A, b, A)", "agent.xml", symbols_);
+  ASSERT_TRUE(atom.atom) << Format(atom.diagnostics);
+  EXPECT_EQ(ToString(*atom.atom, atom.variable_names), "turn(A, b, A)");
+  EXPECT_EQ(atom.variable_names.size(), 1U);
+  for (const char* faulty : {"", "~ p", "p(a).", "p & q", "X", "a != b", "p(", "$true"}) {
+    const TptpAtom none = ReadTptpAtom(faulty, "agent.xml", symbols_);
+    EXPECT_FALSE(none.atom) << faulty;
+    EXPECT_THAT(none.diagnostics, SizeIs(1)) << faulty;
+  }
+}
+
+TEST_F(TptpReaderTest, DeepNesting_DoesNotRecurse) {
+  constexpr std::size_t kDeep = 100'000;
+  const auto repeat = [](std::string_view text) {
+    std::string all;
+    for (std::size_t i = 0; i < kDeep; ++i) all += text;
+    return all;
+  };
+  const std::vector<std::string> texts = {
+      repeat("(") + "p" + repeat(")"),
+      repeat("~") + "p",
+      "p(" + repeat("f(") + "a" + repeat(")") + ")",
+      repeat("! [X] : ") + "p(X)",
+      repeat("(p => ") + "p" + repeat(")"),
+      repeat("(p & ~ ? [Y] : ") + "p" + repeat(")"),
+  };
+  for (const std::string& text : texts) {
+    const std::string once = ReadFof(text);
+    EXPECT_EQ(ReadFof(once), once);
+  }
+  EXPECT_THAT(Read("fof(n, axiom, " + repeat("(")).diagnostics, SizeIs(1));
+  EXPECT_THAT(Read("fof(n, axiom, p(" + repeat("f(")).diagnostics, SizeIs(1));
+  EXPECT_THAT(Read("fof(n, axiom, p, " + repeat("[")).diagnostics, SizeIs(1));
+}
+
+TEST_F(TptpReaderTest, AnyBytes_GiveFormulasOrDiagnostics) {
+  const std::string text = "fof(n, axiom, p('a', \"b\") & ! [X] : (q(X) <=> ~ 1.5e3 = X)).";
+  for (std::size_t at = 0; at < text.size() - 1; ++at) {
+    EXPECT_THAT(Read(text.substr(0, at)).formulas, IsEmpty());
+    for (const char byte : {'\0', '\xff', '(', ')', '\'', '.', 'X'}) {
+      std::string changed = text;
+      changed[at] = byte;
+      const TptpFile file = Read(changed);
+      EXPECT_EQ(file.formulas.size() + file.diagnostics.size() > 0, true) << changed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace latchwork::logic

@@ -1,0 +1,3 @@
+cnf(c1, axiom, p(X) | ~ q(X, f(a))).
+cnf(c2, negated_conjecture, ( ~ (p(X)) | a != X )).
+cnf(3, axiom, $false).

@@ -1,0 +1,4 @@
+% one
+/* two
+ **/fof(n, axiom, % three
+ p).

@@ -1,0 +1,3 @@
+fof(a, conjecture, p).
+fof(b, conjecture, ! [X] : q(X)).
+fof(c, axiom, r).

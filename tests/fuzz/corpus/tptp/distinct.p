@@ -1,0 +1,1 @@
+fof(a, axiom, $distinct(a, b, "c", 4)).

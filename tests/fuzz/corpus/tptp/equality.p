@@ -1,0 +1,1 @@
+fof(a, axiom, ! [X] : (f(X) = X | g(X) != f(a))).

@@ -1,0 +1,3 @@
+include('nowhere.ax').
+include('nowhere.ax', [a, 'B', 3]).
+include('/dev/zero', *).

@@ -1,0 +1,1 @@
+fof('A name', axiom, 'P'('it\'s', 'back\\slash', "a \"b\"", 'café')).

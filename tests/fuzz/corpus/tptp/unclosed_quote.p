@@ -1,0 +1,2 @@
+fof(a, axiom, p('b)).
+fof(b, axiom, "c).
