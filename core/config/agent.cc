@@ -40,8 +40,9 @@ void CheckAgent(AgentCheck& check, Document& document, const std::vector<Overrid
 }  // namespace
 
 AgentFile ReadAgentFile(const std::filesystem::path& file, const Catalog& catalog,
-                        const std::vector<Override>& overrides, logic::SymbolTable& symbols) {
-  Document document = ReadDocument(file);
+                        const std::vector<Override>& overrides, logic::SymbolTable& symbols,
+                        const std::vector<std::filesystem::path>& fragments) {
+  Document document = ReadDocument(file, fragments);
   AgentCheck check{catalog, symbols,           {},           std::move(document.diagnostics),
                    false,   document.is_whole, std::nullopt, {}};
   check.agent.file = file;

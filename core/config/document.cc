@@ -20,8 +20,12 @@ constexpr std::array<std::string_view, 6> kKnown = {"world", "layer",   "overrid
 
 class DocumentReader {
  public:
-  Document Read(const std::filesystem::path& file) {
+  Document Read(const std::filesystem::path& file,
+                const std::vector<std::filesystem::path>& fragments) {
     Enter(file, file.filename().string(), {}, "agent");
+    for (const std::filesystem::path& fragment : fragments) {
+      Enter(fragment, fragment.filename().string(), {}, "fragment");
+    }
     document_.fingerprint = fingerprint_.Hex();
     return std::move(document_);
   }
@@ -148,6 +152,9 @@ class DocumentReader {
 
 }  // namespace
 
-Document ReadDocument(const std::filesystem::path& file) { return DocumentReader().Read(file); }
+Document ReadDocument(const std::filesystem::path& file,
+                      const std::vector<std::filesystem::path>& fragments) {
+  return DocumentReader().Read(file, fragments);
+}
 
 }  // namespace latchwork::config

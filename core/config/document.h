@@ -30,7 +30,9 @@ struct Document {
       true;  ///< Nothing is missing or unknown in it, so that what is not there was not written.
 };
 
-Document ReadDocument(const std::filesystem::path& file);
+/// `fragments` are read as if they were included at the end.
+Document ReadDocument(const std::filesystem::path& file,
+                      const std::vector<std::filesystem::path>& fragments);
 
 /// Orders diagnostics by source and place, cuts them after a hundred, and gives each its excerpt.
 void Arrange(const std::vector<Document::Source>& sources, logic::Diagnostics& diagnostics);

@@ -92,7 +92,9 @@ sdk::Parameters CheckParameters(AgentCheck& check, const Element& element, const
     if (name == nullptr || value == nullptr) {
       is_whole = false;
     } else {
-      given.push_back({name->value, value->value, value->place});
+      const bool is_known = std::ranges::find(facts.parameters, name->value,
+                                              &sdk::ParameterSpec::name) != facts.parameters.end();
+      given.push_back({name->value, value->value, is_known ? value->place : name->place});
     }
   }
   logic::Diagnostics found;

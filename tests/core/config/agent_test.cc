@@ -72,7 +72,7 @@ TEST_F(AgentTest, ReportsSixMistakesAtOnce) {
   EXPECT_THAT(
       Errors(text),
       ElementsAre(
-          "2:44: parameter 'people' of world 'hall' must be an integer from 0 to 50, not 'many' "
+          "2:50: parameter 'people' of world 'hall' must be an integer from 0 to 50, not 'many' "
           "[the default is '4']",
           "3:44: period '150ms' is no multiple of the tick (100ms) [use 100ms or 200ms]",
           "4:43: <reasoner> has no attribute 'deph' [did you mean 'depth'?]",

@@ -30,7 +30,7 @@ TEST_F(AgentTest, AnIncludeThatIsMissingCausesNoFollowUps) {
 
 TEST_F(AgentTest, AnIncludeOfItselfIsRefused) {
   Write("one.xml", "<fragment format=\"1\"><include file=\"./one.xml\"/></fragment>");
-  EXPECT_THAT(Errors(kIncluding), ElementsAre("one.xml:1:38: 'one.xml' includes itself"));
+  EXPECT_THAT(Errors(kIncluding), ElementsAre("one.xml:1:37: 'one.xml' includes itself"));
 }
 
 TEST_F(AgentTest, AFileIncludedTwiceIsRefused) {
@@ -48,7 +48,18 @@ TEST_F(AgentTest, DeepIncludesAreRefused) {
                                           std::to_string(i + 1) + ".xml\"/></fragment>");
   }
   EXPECT_THAT(Errors(kIncluding),
-              ElementsAre("15.xml:1:38: includes are nested more than 16 deep"));
+              ElementsAre("15.xml:1:37: includes are nested more than 16 deep"));
+}
+
+TEST_F(AgentTest, AFragmentOnTopOverrides) {
+  Write("agent.xml", GoodAgent());
+  Write("top.xml",
+        "<fragment format=\"1\"><override part=\"world\">"
+        "<param name=\"people\" value=\"1\"/></override></fragment>");
+  const AgentFile file =
+      ReadAgentFile(folder_ / "agent.xml", FakeCatalog(), {}, symbols_, {folder_ / "top.xml"});
+  ASSERT_TRUE(file.agent) << logic::Format(file.diagnostics);
+  EXPECT_EQ(file.agent->world.parameters.Integer("people"), 1);
 }
 
 TEST_F(AgentTest, AFragmentIsNoAgent) {

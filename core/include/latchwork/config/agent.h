@@ -115,7 +115,7 @@ struct AgentDescription {
 
 /// A parameter given on the command line: `--set world.people=4`, `--set avoid.gain=2`.
 struct Override {
-  std::string part;  ///< "world", the name of a layer, or "LAYER.reasoner".
+  std::string part;  ///< "world", the name of a layer, or "LAYER.reasoner" (also for its inferences and depth).
   std::string name;
   std::string value;
 };
@@ -126,9 +126,11 @@ struct AgentFile {
   bool plugin_failure = false;            ///< Some plugin exists but cannot be loaded, or there is none of its name (exit code 4).
 };
 
-/// Reads, validates and checks an agent file. All errors at once.
+/// Reads, validates and checks an agent file. All errors at once. `fragments` are files that come on top, as if they were
+/// included at the end of the agent. Thread rule: safe from any thread, as far as `catalog` is.
 AgentFile ReadAgentFile(const std::filesystem::path& file, const Catalog& catalog,
-                        const std::vector<Override>& overrides, logic::SymbolTable& symbols);
+                        const std::vector<Override>& overrides, logic::SymbolTable& symbols,
+                        const std::vector<std::filesystem::path>& fragments = {});
 
 /// The XSD that agent files are validated against.
 std::string_view AgentSchema();
