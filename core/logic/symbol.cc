@@ -18,7 +18,8 @@ struct SymbolTable::Implementation {
   }
 
   const Symbol::Record* Add(std::string name, SymbolKind kind) {
-    const auto& record = records.emplace_back(std::move(name), kind, records.size());
+    records.push_back({std::move(name), kind, records.size()});
+    const Symbol::Record& record = records.back();
     by_name[static_cast<std::size_t>(kind)].emplace(record.name, &record);
     return &record;
   }
