@@ -5,13 +5,14 @@
 
 #include <charconv>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 namespace latchwork::record {
 namespace {
 
 constexpr std::size_t kLengthDigits = 8;
-constexpr std::size_t kHashDigits = 16;
-constexpr std::size_t kPrefix = kLengthDigits + 1 + kHashDigits + 1;
+constexpr std::size_t kChecksumDigits = 16;
+static_assert(kFramePrefix == kLengthDigits + 1 + kChecksumDigits + 1);
 
 std::optional<std::uint64_t> ParseHex(std::string_view digits) {
   std::uint64_t value = 0;
@@ -19,6 +20,26 @@ std::optional<std::uint64_t> ParseHex(std::string_view digits) {
       std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
   if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
   return value;
+}
+
+/// How deep the brackets outside of texts are nested.
+std::size_t Nesting(std::string_view json) {
+  std::size_t deepest = 0;
+  std::size_t depth = 0;
+  bool in_text = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (c == '"') {
+      in_text = !in_text;
+    } else if (in_text) {
+      if (c == '\\') ++i;
+    } else if (c == '{' || c == '[') {
+      deepest = std::max(deepest, ++depth);
+    } else if ((c == '}' || c == ']') && depth > 0) {
+      --depth;
+    }
+  }
+  return deepest;
 }
 
 }  // namespace
@@ -29,19 +50,22 @@ std::uint64_t Chain(std::uint64_t chain, std::string_view text) {
   return chain;
 }
 
-void AppendFrame(std::string_view json, std::uint64_t hash, std::string& out) {
-  fmt::format_to(std::back_inserter(out), "{:08x} {:016x} {}\n", json.size(), hash, json);
+void AppendFrame(std::string_view json, std::uint64_t checksum, std::string& out) {
+  fmt::format_to(std::back_inserter(out), "{:08x} {:016x} ", json.size(), checksum);
+  out += json;
+  out += '\n';
 }
 
-std::optional<Frame> ParseFrame(std::string_view bytes) {
-  if (bytes.size() <= kPrefix) return std::nullopt;
+std::optional<FramePrefix> ParseFramePrefix(std::string_view bytes) {
   const auto length = ParseHex(bytes.substr(0, kLengthDigits));
-  const auto hash = ParseHex(bytes.substr(kLengthDigits + 1, kHashDigits));
-  if (!length || !hash || bytes[kLengthDigits] != ' ' || bytes[kPrefix - 1] != ' ') {
-    return std::nullopt;
-  }
-  if (bytes.size() - kPrefix <= *length || bytes[kPrefix + *length] != '\n') return std::nullopt;
-  return Frame{bytes.substr(kPrefix, *length), *hash, kPrefix + *length + 1};
+  const auto checksum = ParseHex(bytes.substr(kLengthDigits + 1, kChecksumDigits));
+  if (!length || !checksum || *length > kMaxFrameBytes) return std::nullopt;
+  if (bytes[kLengthDigits] != ' ' || bytes[kFramePrefix - 1] != ' ') return std::nullopt;
+  return FramePrefix{*length, *checksum};
+}
+
+bool IsShallowJson(std::string_view json) {
+  return Nesting(json) <= kMaxNesting && nlohmann::json::accept(json);
 }
 
 }  // namespace latchwork::record

@@ -10,23 +10,32 @@
 
 namespace latchwork::record {
 
-/// Where the chains of hashes start (the offset basis of FNV-1a, 64 bits).
+/// A longer frame is neither written nor read: it bounds a reader's memory.
+inline constexpr std::size_t kMaxFrameBytes = std::size_t{16} << 20U;
+/// Deeper lists and objects are neither written nor read.
+inline constexpr std::size_t kMaxNesting = 16;
+/// `LLLLLLLL HHHHHHHHHHHHHHHH `: length of the JSON and checksum, hexadecimal.
+inline constexpr std::size_t kFramePrefix = 26;
+
+/// Where the chains of checksums start (the offset basis of FNV-1a, 64 bits).
 inline constexpr std::uint64_t kChainStart = 0xcbf29ce484222325ULL;
 
 /// FNV-1a over `text`, continuing from `chain`.
 std::uint64_t Chain(std::uint64_t chain, std::string_view text);
 
-/// Appends `LLLLLLLL HHHHHHHHHHHHHHHH json\n` (length of the JSON and hash, hexadecimal) to `out`.
-void AppendFrame(std::string_view json, std::uint64_t hash, std::string& out);
+/// Appends prefix, JSON and a line feed to `out`.
+void AppendFrame(std::string_view json, std::uint64_t checksum, std::string& out);
 
-struct Frame {
-  std::string_view json;
-  std::uint64_t hash = 0;  ///< As written; checking it is the reader's business.
-  std::size_t size = 0;    ///< Of the whole frame.
+struct FramePrefix {
+  std::size_t length = 0;
+  std::uint64_t checksum = 0;
 };
 
-/// The frame at the start of `bytes`; nothing when there is no whole one.
-std::optional<Frame> ParseFrame(std::string_view bytes);
+/// `bytes` are kFramePrefix bytes; nothing when they are no prefix or announce too long a frame.
+std::optional<FramePrefix> ParseFramePrefix(std::string_view bytes);
+
+/// Whether `json` is JSON that recursion may walk through.
+bool IsShallowJson(std::string_view json);
 
 }  // namespace latchwork::record
 

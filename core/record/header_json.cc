@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "core/record/tick_encoder.h"
+#include <nlohmann/json.hpp>
+
 
 namespace latchwork::record {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "latchwork journal";
 
@@ -45,7 +48,7 @@ std::string HeaderToJson(const JournalHeader& header) {
     plugins.push_back(
         {{"kind", each.kind}, {"name", each.name}, {"fingerprint", each.fingerprint}});
   }
-  return Dump({{"format", kFormat},
+  const Json json = {{"format", kFormat},
                {"version", header.version},
                {"agent", header.agent},
                {"agent_file", header.agent_file},
@@ -58,22 +61,23 @@ std::string HeaderToJson(const JournalHeader& header) {
                {"plugins", std::move(plugins)},
                {"build", header.build},
                {"libm", header.libm},
-               {"layers", header.layers}});
+               {"layers", header.layers}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string HeaderFromJson(std::string_view json, JournalHeader& header) {
   try {
     const Json parsed = Json::parse(json);
-    if (parsed.at("format").get<std::string>() != kFormat) return "it is not a latchwork journal";
+    if (parsed.at("format").get<std::string>() != kFormat) return "this is not a journal";
     header.version = parsed.at("version").get<std::uint64_t>();
     if (header.version > kJournalVersion) {
-      return fmt::format("it has version {} of the format; this program reads up to version {}",
+      return fmt::format("the journal has version {} of the format; this program reads up to version {}",
                          header.version, kJournalVersion);
     }
     Fill(parsed, header);
     return {};
   } catch (const Json::exception& error) {
-    return fmt::format("its header cannot be read: {}", error.what());
+    return fmt::format("the header cannot be read: {}", error.what());
   }
 }
 

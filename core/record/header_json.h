@@ -5,13 +5,12 @@
 #include <string>
 #include <string_view>
 
-#include "latchwork/record/journal.h"
+#include "latchwork/record/journal_header.h"
 
 namespace latchwork::record {
 
 std::string HeaderToJson(const JournalHeader& header);
-/// What is wrong with the text; empty when `header` was filled. Of a newer version only the version
-/// is.
+/// What is wrong with the text; empty when `header` was filled.
 std::string HeaderFromJson(std::string_view json, JournalHeader& header);
 
 }  // namespace latchwork::record

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "latchwork/record/journal_reader.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
-#include <iterator>
-#include <string_view>
+#include <limits>
+#include <system_error>
+#include <utility>
 
 #include "core/record/frame.h"
 #include "core/record/header_json.h"
-#include "latchwork/record/journal.h"
 
 namespace latchwork::record {
 namespace {
@@ -16,73 +19,139 @@ namespace {
 constexpr std::string_view kTickStart = "{\"tick\":";
 constexpr std::string_view kEndStart = "{\"end\":";
 
-Journal Failure(std::string_view name, std::string message) {
-  Journal journal;
-  journal.diagnostics.push_back({{std::string(name), 0, 0}, std::move(message), "", ""});
-  return journal;
-}
-
 std::optional<std::uint64_t> TickOf(std::string_view json) {
-  if (!json.starts_with(kTickStart)) return std::nullopt;
-  const char* begin = json.data() + kTickStart.size();
   std::uint64_t tick = 0;
-  const auto [end, error] = std::from_chars(begin, json.data() + json.size(), tick);
-  if (error != std::errc() || end == json.data() + json.size()) return std::nullopt;
+  const char* const end = json.data() + json.size();
+  if (!json.starts_with(kTickStart)) return std::nullopt;
+  const auto parsed = std::from_chars(json.data() + kTickStart.size(), end, tick);
+  if (parsed.ec != std::errc()) return std::nullopt;
   return tick;
 }
 
-/// Whether the frame is the next one of the journal; takes it in.
-bool Take(const Frame& frame, std::uint64_t& chain, Journal& journal) {
-  chain = Chain(chain, frame.json);
-  if (chain != frame.hash || !journal.end.empty()) return false;
-  if (frame.json.starts_with(kEndStart)) {
-    journal.end = frame.json;
-    return true;
-  }
-  const std::optional<std::uint64_t> tick = TickOf(frame.json);
-  if (tick != journal.ticks.size()) return false;
-  journal.ticks.push_back({*tick, std::string(frame.json), frame.hash});
-  return true;
+/// A folder opens like a file, and fails only when it is read.
+std::unique_ptr<std::istream> Open(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) return nullptr;
+  auto stream = std::make_unique<std::ifstream>(file, std::ios::binary);
+  if (!stream->is_open()) return nullptr;
+  return stream;
 }
 
 }  // namespace
 
-Journal ReadJournalText(std::string_view bytes, std::string_view name) {
-  const std::optional<Frame> first = ParseFrame(bytes);
-  if (!first || first->hash != Chain(kChainStart, first->json)) {
-    return Failure(name, "it is not a latchwork journal, or was cut within its header");
+JournalReader::JournalReader(const std::filesystem::path& file)
+    : JournalReader(Open(file), file.string()) {}
+
+JournalReader::JournalReader(std::unique_ptr<std::istream> stream, std::string name)
+    : stream_(std::move(stream)), name_(std::move(name)) {
+  if (stream_ == nullptr) {
+    Stop("the journal cannot be opened", "is it the run.journal of a folder given by run --out?");
+  } else {
+    ReadHeader();
   }
-  Journal journal;
-  if (std::string problem = HeaderFromJson(first->json, journal.header); !problem.empty()) {
-    return Failure(name, std::move(problem));
+}
+
+bool JournalReader::Stop(std::string message, std::string hint) {
+  ended_ = true;
+  problem_ = logic::Diagnostic{{name_, line_, 0}, std::move(message), std::move(hint), ""};
+  return false;
+}
+
+/// Appends up to so many bytes, without memory for more than there are.
+std::size_t JournalReader::Read(std::size_t count) {
+  constexpr std::size_t kChunk = std::size_t{64} << 10U;
+  std::size_t total = 0;
+  while (total < count) {
+    const std::size_t size = bytes_.size();
+    const std::size_t wanted = std::min(count - total, kChunk);
+    bytes_.resize(size + wanted);
+    stream_->read(bytes_.data() + size, static_cast<std::streamsize>(wanted));
+    const auto got = static_cast<std::size_t>(stream_->gcount());
+    bytes_.resize(size + got);
+    total += got;
+    if (got < wanted) break;
   }
-  std::uint64_t chain = kChainStart;
-  std::size_t offset = first->size;
-  while (offset < bytes.size()) {
-    const std::optional<Frame> frame = ParseFrame(bytes.substr(offset));
-    if (!frame || !Take(*frame, chain, journal)) {
-      journal.tail = fmt::format("the {} bytes from byte {} on are no whole frame of this journal",
-                                 bytes.size() - offset, offset);
-      return journal;
+  return total;
+}
+
+/// Leaves the JSON in `bytes_`. False at the end, at a cut frame and at a broken one.
+bool JournalReader::ReadFrame() {
+  offset_ += line_ == 0 ? 0 : kFramePrefix + bytes_.size() + 1;
+  line_ += line_ == std::numeric_limits<std::uint32_t>::max() ? 0 : 1;
+  bytes_.clear();
+  const std::size_t got = Read(kFramePrefix);
+  if (got < kFramePrefix) {
+    ended_ = tail_cut_ = true;
+    return false;
+  }
+  const std::optional<FramePrefix> prefix = ParseFramePrefix(bytes_);
+  if (!prefix) return Stop(fmt::format("no frame begins at byte {}", offset_));
+  checksum_ = prefix->checksum;
+  bytes_.clear();
+  if (Read(prefix->length + 1) <= prefix->length) {
+    ended_ = tail_cut_ = true;
+    return false;
+  }
+  if (bytes_.back() != '\n') {
+    return Stop(fmt::format("the frame at byte {} is longer or shorter than it says", offset_));
+  }
+  bytes_.pop_back();
+  return true;
+}
+
+void JournalReader::ReadHeader() {
+  constexpr std::string_view kHint = "a journal is written by latchwork run --out FOLDER";
+  if (!ReadFrame()) {
+    Stop(tail_cut_ ? "this is not a journal, or one that was cut within its header"
+                   : "this is not a journal",
+         std::string(kHint));
+  } else if (Chain(kChainStart, bytes_) != checksum_) {
+    Stop("the header does not match its checksum: it was changed or damaged");
+  } else if (!IsShallowJson(bytes_)) {
+    Stop("this is not a journal", std::string(kHint));
+  } else {
+    JournalHeader header;
+    std::string failure = HeaderFromJson(bytes_, header);
+    if (failure.empty()) {
+      header_ = std::move(header);
+    } else {
+      Stop(std::move(failure));
     }
-    offset += frame->size;
   }
-  if (journal.end.empty()) {
-    journal.tail =
-        fmt::format("it stops after {} ticks, before the end of the run", journal.ticks.size());
-  }
-  return journal;
+  chain_ = kChainStart;
 }
 
-Journal ReadJournal(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    return Failure(file.string(), "it cannot be opened");
-  }
-  const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  return ReadJournalText(bytes, file.string());
+std::optional<JournalFrame> JournalReader::Next() {
+  if (ended_ || !ReadFrame()) return std::nullopt;
+  JournalFrame frame;
+  if (!Accept(frame)) return std::nullopt;
+  return frame;
 }
 
-std::string HashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+bool JournalReader::Accept(JournalFrame& frame) {
+  chain_ = Chain(chain_, bytes_);
+  if (chain_ != checksum_) {
+    return Stop(fmt::format("the frame at byte {} does not match its checksum: it, or one before "
+                            "it, was changed or damaged",
+                            offset_));
+  }
+  frame.hash = chain_;
+  frame.json = bytes_;
+  frame.tick = next_tick_;
+  if (!IsShallowJson(bytes_)) return Stop(fmt::format("the frame at byte {} is no JSON", offset_));
+  if (frame.json.starts_with(kEndStart)) {
+    frame.kind = JournalFrame::Kind::kEnd;
+    ended_ = true;
+    if (stream_->peek() != std::istream::traits_type::eof()) {
+      Stop(fmt::format("more follows the frame at byte {}, which ends the journal", offset_));
+    }
+    return true;
+  }
+  if (TickOf(frame.json) != next_tick_) {
+    return Stop(fmt::format("the frame at byte {} is not that of tick {}", offset_, next_tick_));
+  }
+  ++next_tick_;
+  return true;
+}
 
 }  // namespace latchwork::record

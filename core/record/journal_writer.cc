@@ -29,12 +29,12 @@ class JournalWriter::Implementation {
   }
 
   void Tick(const schedule::TickRecord& record) {
-    if (error_.empty()) WriteChained(encoder_.Encode(record));
+    if (problem_.empty()) WriteChained(encoder_.Encode(record));
   }
   void End(const schedule::RunResult& result) {
-    if (error_.empty()) WriteChained(TickEncoder::EncodeEnd(result));
+    if (problem_.empty()) WriteChained(encoder_.EncodeEnd(result));
   }
-  const std::string& error() const { return error_; }
+  const std::string& problem() const { return problem_; }
 
  private:
   void WriteChained(const std::string& json) {
@@ -43,6 +43,11 @@ class JournalWriter::Implementation {
   }
 
   void Write(const std::string& json, std::uint64_t hash) {
+    if (json.size() > kMaxFrameBytes) {
+      problem_ = fmt::format("the journal {} stops: a tick takes more than {} bytes", name_,
+                             kMaxFrameBytes);
+      return;
+    }
     frame_.clear();
     AppendFrame(json, hash, frame_);
     if (std::fwrite(frame_.data(), 1, frame_.size(), file_.get()) != frame_.size()) {
@@ -52,11 +57,11 @@ class JournalWriter::Implementation {
 
   void Fail(const char* what) {
     const std::error_code reason(errno, std::generic_category());
-    error_ = fmt::format("{} the journal {}: {}", what, name_, reason.message());
+    problem_ = fmt::format("{} the journal {}: {}", what, name_, reason.message());
   }
 
   std::string name_;
-  std::string error_;
+  std::string problem_;
   TickEncoder encoder_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   std::uint64_t chain_ = kChainStart;
@@ -75,6 +80,6 @@ bool JournalWriter::OnTick(const schedule::TickRecord& record) {
 
 void JournalWriter::OnEnd(const schedule::RunResult& result) { implementation_->End(result); }
 
-const std::string& JournalWriter::error() const { return implementation_->error(); }
+const std::string& JournalWriter::problem() const { return implementation_->problem(); }
 
 }  // namespace latchwork::record

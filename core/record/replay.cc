@@ -5,74 +5,82 @@
 
 #include <utility>
 
-#include "core/record/json_difference.h"
+#include "core/record/frame_rows.h"
 #include "core/record/tick_encoder.h"
 #include "latchwork/schedule/lockstep.h"
 
 namespace latchwork::record {
-namespace {
 
-/// Compares a run with a journal while it runs.
-class Comparison : public schedule::RunObserver {
+/// Reads one frame ahead, to end the run in time.
+class ReplayObserver::Implementation {
  public:
-  Comparison(const Journal& journal, const schedule::Agent& agent)
-      : journal_(journal), encoder_(agent) {}
+  Implementation(JournalReader& journal, const schedule::Agent& agent)
+      : journal_(journal), encoder_(agent), next_(journal.Next()) {}
 
-  bool OnTick(const schedule::TickRecord& record) override {
-    if (result_.ticks == journal_.ticks.size()) {
-      Diverge(record.tick, {"run", "over", "goes on"});
-      return false;
+  bool Tick(const schedule::TickRecord& record) {
+    if (!next_) return false;
+    if (next_->kind == JournalFrame::Kind::kEnd) {
+      return Diverge({"run", "over", "goes on"});
     }
-    const std::string& recorded = journal_.ticks[result_.ticks].json;
-    if (const auto difference = FindDifference(recorded, encoder_.Encode(record))) {
-      Diverge(record.tick, *difference);
-      return false;
+    if (const auto difference = FindDifference(next_->json, encoder_.Encode(record))) {
+      return Diverge(*difference);
     }
-    ++result_.ticks;
-    // Of a journal without its end nobody knows how the run went on.
-    return result_.ticks < journal_.ticks.size() || !journal_.end.empty();
+    ++ticks_;
+    next_ = journal_.Next();
+    return next_.has_value();
   }
 
-  void OnEnd(const schedule::RunResult& run) override {
-    if (result_.divergence) return;
-    if (result_.ticks < journal_.ticks.size()) {
-      Diverge(result_.ticks, {"run", "goes on", "over: " + run.message});
-    } else if (!journal_.end.empty()) {
-      const std::string now = TickEncoder::EncodeEnd(run);
-      if (const auto difference = FindDifference(journal_.end, now)) {
-        Diverge(result_.ticks, *difference);
-      }
+  void End(const schedule::RunResult& result) {
+    if (divergence_ || !next_) return;
+    if (next_->kind == JournalFrame::Kind::kTick) {
+      Diverge({"run", "goes on", fmt::format("{}: {}", Name(result.state), result.message)});
+    } else if (const auto difference = FindDifference(next_->json, encoder_.EncodeEnd(result))) {
+      Diverge(*difference);
     }
   }
 
-  ReplayResult& result() { return result_; }
+  std::uint64_t ticks() const { return ticks_; }
+  const std::optional<Divergence>& divergence() const { return divergence_; }
 
  private:
-  void Diverge(std::uint64_t tick, const FrameDifference& difference) {
-    result_.divergence = {tick, difference.place, difference.recorded, difference.now};
+  bool Diverge(const FrameDifference& difference) {
+    divergence_ = {ticks_, difference.place, difference.recorded, difference.now};
+    return false;
   }
 
-  const Journal& journal_;
+  JournalReader& journal_;
   TickEncoder encoder_;
-  ReplayResult result_;
+  std::optional<JournalFrame> next_;
+  std::uint64_t ticks_ = 0;
+  std::optional<Divergence> divergence_;
 };
 
-}  // namespace
+ReplayObserver::ReplayObserver(JournalReader& journal, const schedule::Agent& agent)
+    : implementation_(std::make_unique<Implementation>(journal, agent)) {}
+ReplayObserver::~ReplayObserver() = default;
+
+bool ReplayObserver::OnTick(const schedule::TickRecord& record) {
+  return implementation_->Tick(record);
+}
+void ReplayObserver::OnEnd(const schedule::RunResult& result) { implementation_->End(result); }
+std::uint64_t ReplayObserver::ticks() const { return implementation_->ticks(); }
+const std::optional<Divergence>& ReplayObserver::divergence() const {
+  return implementation_->divergence();
+}
 
 std::string ToString(const Divergence& divergence) {
-  return fmt::format("tick {}, {}: {} in the journal, {} now", divergence.tick, divergence.place,
+  return fmt::format("tick {}, {}: journal {}, now {}", divergence.tick, divergence.place,
                      divergence.recorded, divergence.now);
 }
 
-ReplayResult Replay(const Journal& journal, schedule::Agent agent, unsigned threads) {
-  Comparison comparison(journal, agent);
-  const bool nothing_to_compare = journal.ticks.empty() && journal.end.empty();
+ReplayResult Replay(JournalReader& journal, schedule::Agent agent, unsigned threads) {
+  ReplayObserver observer(journal, agent);
   schedule::LockstepOptions options;
   options.threads = threads;
-  options.max_ticks = nothing_to_compare ? 0 : journal.header.max_ticks;
-  options.observers.push_back(&comparison);
+  options.max_ticks = journal.header()->max_ticks;
+  options.observers.push_back(&observer);
   schedule::Lockstep(std::move(agent), std::move(options)).Run();
-  return std::move(comparison.result());
+  return {observer.ticks(), observer.divergence()};
 }
 
 }  // namespace latchwork::record

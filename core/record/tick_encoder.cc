@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/record/tick_encoder.h"
 
-#include <span>
-#include <utility>
+#include <algorithm>
 
 #include "latchwork/sdk/contract.h"
 
@@ -15,176 +14,200 @@ std::vector<std::string> PortNames(const std::vector<sdk::PortSpec>& ports) {
   return names;
 }
 
-Json Texts(std::span<const logic::Fact> facts) {
-  Json texts = Json::array();
-  for (const logic::Fact& fact : facts) texts.push_back(logic::ToString(fact));
-  return texts;
-}
-
-Json Events(const std::vector<schedule::EventRecord>& events) {
-  Json all = Json::array();
-  for (const schedule::EventRecord& event : events) {
-    Json one = {{"fact", logic::ToString(event.fact)}};
-    if (!event.problem.empty()) one["problem"] = event.problem;
-    all.push_back(std::move(one));
-  }
-  return all;
-}
-
-Json Conclusions(const sdk::Decision& decision) {
-  Json all = Json::array();
-  for (const sdk::Conclusion& conclusion : decision.conclusions) {
-    all.push_back({{"fact", logic::ToString(conclusion.fact)},
-                   {"goal", conclusion.goal},
-                   {"assumptions", conclusion.assumptions}});
-  }
-  return all;
-}
-
-/// Pairs, for there are many: [atom, state].
-Json Assumptions(const sdk::Decision& decision) {
-  Json all = Json::array();
-  for (const sdk::Assumption& each : decision.assumptions) {
-    all.push_back({logic::ToString(each.atom), sdk::Name(each.state)});
-  }
-  return all;
-}
-
-void AddUnlessEmpty(Json& object, const char* name, Json value) {
-  if (!value.empty()) object[name] = std::move(value);
-}
-
 }  // namespace
 
-std::string Dump(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 TickEncoder::TickEncoder(const schedule::Agent& agent)
-    : world_{"world", PortNames(agent.world->contract().inputs),
-             PortNames(agent.world->contract().outputs)},
-      sensed_(world_.outputs.size()) {
+    : effectors_(PortNames(agent.world->contract().inputs)),
+      sensors_(PortNames(agent.world->contract().outputs)),
+      commands_(effectors_.size()) {
   for (std::size_t i = 0; i < agent.layers.size(); ++i) {
     const sdk::Contract& contract = agent.layers[i].layer->contract();
-    layers_.push_back({agent.description.layers[i].name, PortNames(contract.inputs),
-                       PortNames(contract.outputs)});
+    Layer layer{agent.description.layers[i].name, PortNames(contract.inputs),
+                PortNames(contract.outputs), {}};
+    for (const sdk::Goal& goal : agent.layers[i].body.goals) layer.goal_ports.push_back(goal.port);
+    layers_.push_back(std::move(layer));
   }
 }
 
-const TickEncoder::Names& TickEncoder::Of(std::size_t part) const {
-  return part == config::PortAddress::kWorld ? world_ : layers_[part];
+const std::string& TickEncoder::Encode(const schedule::TickRecord& record) {
+  json_.Clear();
+  json_.Begin('{');
+  NumberMember("tick", record.tick);
+  json_.Member("events", '[', ']', [&] { Events(record); });
+  json_.Member("sensed", '{', '}', [&] { Sensed(record); });
+  json_.Member("latched", '[', ']', [&] { Latched(record); });
+  json_.Member("refused", '[', ']', [&] { Refused(record); });
+  json_.Member("decisions", '[', ']', [&] {
+    for (const schedule::DecisionRecord& each : record.decisions) Decision(each);
+  });
+  json_.Member("inhibited", '[', ']', [&] { Inhibited(record); });
+  json_.Member("commands", '{', '}', [&] { Commands(record); });
+  json_.Member("faults", '[', ']', [&] { Faults(record); });
+  json_.End('}');
+  return json_.text();
 }
 
-std::string TickEncoder::Encode(const schedule::TickRecord& record) {
-  Json tick = {{"tick", record.tick}};
-  AddUnlessEmpty(tick, "events", Events(record.events));
-  AddUnlessEmpty(tick, "sensed", Sensed(record));
-  AddUnlessEmpty(tick, "latched", Latched(record));
-  AddUnlessEmpty(tick, "refused", Refused(record));
-  AddUnlessEmpty(tick, "decisions", Decisions(record));
-  AddUnlessEmpty(tick, "inhibited", Inhibited(record));
-  AddUnlessEmpty(tick, "commands", Commands(record));
-  AddUnlessEmpty(tick, "faults", Faults(record));
-  return Dump(tick);
+void TickEncoder::TextMember(std::string_view name, std::string_view text) {
+  json_.Key(name);
+  json_.Text(text);
 }
 
-Json TickEncoder::Sensed(const schedule::TickRecord& record) {
-  Json all = Json::object();
+void TickEncoder::NumberMember(std::string_view name, std::uint64_t number) {
+  json_.Key(name);
+  json_.Number(number);
+}
+
+void TickEncoder::Events(const schedule::TickRecord& record) {
+  for (const schedule::EventRecord& event : record.events) {
+    json_.Begin('{');
+    json_.Key("fact");
+    json_.Fact(event.fact);
+    if (!event.problem.empty()) TextMember("problem", event.problem);
+    json_.End('}');
+  }
+}
+
+void TickEncoder::Sensed(const schedule::TickRecord& record) {
   for (std::size_t port = 0; port < record.sensors.size(); ++port) {
-    const sdk::Batch& batch = record.sensors[port];
-    if (!batch.updated || batch.facts == sensed_[port]) continue;
-    sensed_[port] = batch.facts;
-    all[world_.outputs[port]] = Texts(batch.facts);
+    if (!record.sensors[port].updated) continue;
+    json_.Key(sensors_[port]);
+    json_.Facts(record.sensors[port].facts);
   }
-  return all;
 }
 
-Json TickEncoder::Latched(const schedule::TickRecord& record) const {
-  Json all = Json::array();
+void TickEncoder::Latched(const schedule::TickRecord& record) {
   for (const schedule::LatchRecord& each : record.latched) {
-    Json one = {{"layer", layers_[each.layer].name},
-                {"latch", layers_[each.layer].inputs[each.port]},
-                {"version", each.version}};
-    if (each.stale) one["stale"] = true;
-    one["facts"] = Texts(each.facts);
-    all.push_back(std::move(one));
+    const Layer& layer = layers_[each.layer];
+    json_.Begin('{');
+    TextMember("layer", layer.name);
+    TextMember("latch", layer.inputs[each.port]);
+    if (each.stale) {
+      json_.Key("stale");
+      json_.Boolean(true);
+    }
+    json_.Key("facts");
+    json_.Facts(each.facts);
+    NumberMember("version", each.version);
+    json_.End('}');
   }
-  return all;
 }
 
-Json TickEncoder::Refused(const schedule::TickRecord& record) const {
-  Json all = Json::array();
+void TickEncoder::Refused(const schedule::TickRecord& record) {
   for (const schedule::RefusalRecord& each : record.refused) {
-    const Names& to = Of(each.to.part);
-    all.push_back({{"to", to.name + "." + to.inputs[each.to.port]},
-                   {"fact", logic::ToString(each.fact)},
-                   {"reason", each.reason}});
+    json_.Begin('{');
+    if (each.to.part == config::PortAddress::kWorld) {
+      TextMember("effector", effectors_[each.to.port]);
+    } else {
+      TextMember("layer", layers_[each.to.part].name);
+      TextMember("latch", layers_[each.to.part].inputs[each.to.port]);
+    }
+    json_.Key("fact");
+    json_.Fact(each.fact);
+    TextMember("reason", each.reason);
+    json_.End('}');
   }
-  return all;
 }
 
-Json TickEncoder::Decisions(const schedule::TickRecord& record) const {
-  Json all = Json::array();
-  for (const schedule::DecisionRecord& each : record.decisions) {
-    const sdk::Decision& decision = *each.decision;
-    Json one = {{"layer", layers_[each.layer].name}, {"status", sdk::Name(decision.status)}};
-    if (decision.limit != sdk::Limit::kNone) one["limit"] = sdk::Name(decision.limit);
-    AddUnlessEmpty(one, "conclusions", Conclusions(decision));
-    AddUnlessEmpty(one, "assumptions", Assumptions(decision));
-    one["inferences"] = decision.statistics.inferences;
-    one["depth"] = decision.statistics.depth;
-    one["attachment_calls"] = decision.statistics.attachment_calls;
-    if (!decision.message.empty()) one["message"] = decision.message;
-    if (each.fallback) one["fallback"] = Said(each);
-    all.push_back(std::move(one));
-  }
-  return all;
+void TickEncoder::Decision(const schedule::DecisionRecord& record) {
+  const Layer& layer = layers_[record.layer];
+  const sdk::Decision& decision = *record.decision;
+  json_.Begin('{');
+  TextMember("layer", layer.name);
+  TextMember("status", sdk::Name(decision.status));
+  if (decision.limit != sdk::Limit::kNone) TextMember("limit", sdk::Name(decision.limit));
+  json_.Member("conclusions", '[', ']', [&] { Conclusions(layer, decision); });
+  json_.Member("assumptions", '[', ']', [&] { Assumptions(decision); });
+  NumberMember("inferences", decision.statistics.inferences);
+  NumberMember("depth", decision.statistics.depth);
+  NumberMember("attachment_calls", decision.statistics.attachment_calls);
+  if (!decision.message.empty()) TextMember("message", decision.message);
+  if (record.fallback) Said(layer, record);
+  json_.End('}');
 }
 
-Json TickEncoder::Said(const schedule::DecisionRecord& record) const {
-  Json all = Json::object();
+void TickEncoder::Conclusions(const Layer& layer, const sdk::Decision& decision) {
+  for (const sdk::Conclusion& conclusion : decision.conclusions) {
+    json_.Begin('{');
+    // What a faulty reasoner names as its goal need not exist.
+    if (conclusion.goal < layer.goal_ports.size()) {
+      TextMember("port", layer.outputs[layer.goal_ports[conclusion.goal]]);
+    }
+    json_.Key("fact");
+    json_.Fact(conclusion.fact);
+    json_.Member("rests_on", '[', ']', [&] {
+      for (const std::size_t index : conclusion.assumptions) {
+        json_.Number(static_cast<std::uint64_t>(index));
+      }
+    });
+    json_.End('}');
+  }
+}
+
+void TickEncoder::Assumptions(const sdk::Decision& decision) {
+  for (const sdk::Assumption& each : decision.assumptions) {
+    json_.Begin('{');
+    json_.Key(sdk::Name(each.state));
+    json_.Fact(each.atom);
+    json_.End('}');
+  }
+}
+
+void TickEncoder::Said(const Layer& layer, const schedule::DecisionRecord& record) {
+  json_.Key("fallback");
+  json_.Begin('{');
   for (std::size_t port = 0; port < record.said.size(); ++port) {
-    all[layers_[record.layer].outputs[port]] = Texts(record.said[port].facts);
+    json_.Key(layer.outputs[port]);
+    json_.Facts(record.said[port].facts);
   }
-  return all;
+  json_.End('}');
 }
 
-Json TickEncoder::Inhibited(const schedule::TickRecord& record) const {
-  Json all = Json::array();
+void TickEncoder::Inhibited(const schedule::TickRecord& record) {
   for (const config::PortAddress& each : record.inhibited) {
-    all.push_back(Of(each.part).name + "." + Of(each.part).outputs[each.port]);
+    json_.Begin('{');
+    TextMember("layer", layers_[each.part].name);
+    TextMember("port", layers_[each.part].outputs[each.port]);
+    json_.End('}');
   }
-  return all;
 }
 
-Json TickEncoder::Commands(const schedule::TickRecord& record) const {
-  Json all = Json::object();
+void TickEncoder::Commands(const schedule::TickRecord& record) {
   for (std::size_t port = 0; port < record.commands.size(); ++port) {
-    if (record.commands[port].facts.empty()) continue;
-    all[world_.inputs[port]] = Texts(record.commands[port].facts);
+    const std::vector<logic::Fact>& facts = record.commands[port].facts;
+    if (facts == commands_[port]) continue;
+    commands_[port] = facts;
+    json_.Key(effectors_[port]);
+    json_.Facts(facts);
   }
-  return all;
 }
 
-Json TickEncoder::Faults(const schedule::TickRecord& record) const {
-  Json all = Json::array();
+void TickEncoder::Faults(const schedule::TickRecord& record) {
   for (const schedule::Fault& each : record.faults) {
-    all.push_back({{"layer", Of(each.layer).name},
-                   {"plugin", each.plugin},
-                   {"kind", schedule::Name(each.kind)},
-                   {"message", each.message}});
+    json_.Begin('{');
+    if (each.layer != schedule::Fault::kWorld) TextMember("layer", layers_[each.layer].name);
+    TextMember("plugin", each.plugin);
+    TextMember("kind", schedule::Name(each.kind));
+    TextMember("message", each.message);
+    json_.End('}');
   }
-  return all;
 }
 
-std::string TickEncoder::EncodeEnd(const schedule::RunResult& result) {
-  Json measures = Json::object();
-  for (const auto& [name, value] : result.measures) measures[name] = value;
-  return Dump({{"end",
-                {{"outcome", schedule::Name(result.state)},
-                 {"message", result.message},
-                 {"ticks", result.ticks},
-                 {"measures", std::move(measures)}}}});
+const std::string& TickEncoder::EncodeEnd(const schedule::RunResult& result) {
+  json_.Clear();
+  json_.Begin('{');
+  json_.Key("end");
+  json_.Begin('{');
+  TextMember("outcome", schedule::Name(result.state));
+  TextMember("message", result.message);
+  NumberMember("ticks", result.ticks);
+  json_.Key("measures");
+  json_.Begin('{');
+  for (const auto& [name, value] : result.measures) {
+    json_.Key(name);
+    json_.Number(value);
+  }
+  for (int open = 0; open < 3; ++open) json_.End('}');
+  return json_.text();
 }
 
 }  // namespace latchwork::record

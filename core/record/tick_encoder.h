@@ -3,50 +3,53 @@
 #define LATCHWORK_RECORD_TICK_ENCODER_H_
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "core/record/json_writer.h"
 #include "latchwork/schedule/agent.h"
 #include "latchwork/schedule/tick_record.h"
 
 namespace latchwork::record {
 
-/// JSON whose members keep the order in which they were written.
-using Json = nlohmann::ordered_json;
-
-/// One line of JSON, whatever bytes the texts in it hold.
-std::string Dump(const Json& json);
-
-/// Writes ticks as JSON: everything but wall times; what is empty, and sensors that say what they
-/// said before, are left out. To be fed every tick of a run, in order.
+/// Writes ticks as JSON (docs/journal.md): everything but wall times; what is empty, and commands
+/// that stay as they were, are left out. To be fed every tick of a run, in order. Keeps nothing of
+/// the agent but names.
 class TickEncoder {
  public:
   explicit TickEncoder(const schedule::Agent& agent);
 
-  std::string Encode(const schedule::TickRecord& record);
-  static std::string EncodeEnd(const schedule::RunResult& result);
+  /// Valid until the next call.
+  const std::string& Encode(const schedule::TickRecord& record);
+  const std::string& EncodeEnd(const schedule::RunResult& result);
 
  private:
-  struct Names {
+  struct Layer {
     std::string name;
     std::vector<std::string> inputs;
     std::vector<std::string> outputs;
+    std::vector<std::size_t> goal_ports;  ///< The output port of each goal.
   };
 
-  const Names& Of(std::size_t part) const;
-  Json Sensed(const schedule::TickRecord& record);
-  Json Latched(const schedule::TickRecord& record) const;
-  Json Refused(const schedule::TickRecord& record) const;
-  Json Decisions(const schedule::TickRecord& record) const;
-  Json Said(const schedule::DecisionRecord& record) const;
-  Json Inhibited(const schedule::TickRecord& record) const;
-  Json Commands(const schedule::TickRecord& record) const;
-  Json Faults(const schedule::TickRecord& record) const;
+  void Events(const schedule::TickRecord& record);
+  void Sensed(const schedule::TickRecord& record);
+  void Latched(const schedule::TickRecord& record);
+  void Refused(const schedule::TickRecord& record);
+  void Decision(const schedule::DecisionRecord& record);
+  void Conclusions(const Layer& layer, const sdk::Decision& decision);
+  void Assumptions(const sdk::Decision& decision);
+  void Said(const Layer& layer, const schedule::DecisionRecord& record);
+  void Inhibited(const schedule::TickRecord& record);
+  void Commands(const schedule::TickRecord& record);
+  void Faults(const schedule::TickRecord& record);
+  void TextMember(std::string_view name, std::string_view text);
+  void NumberMember(std::string_view name, std::uint64_t number);
 
-  Names world_;
-  std::vector<Names> layers_;
-  std::vector<std::vector<logic::Fact>> sensed_;  ///< By sensor, as last written.
+  std::vector<std::string> effectors_;
+  std::vector<std::string> sensors_;
+  std::vector<Layer> layers_;
+  std::vector<std::vector<logic::Fact>> commands_;  ///< By effector, as last written.
+  JsonWriter json_;
 };
 
 }  // namespace latchwork::record

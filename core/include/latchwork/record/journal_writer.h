@@ -6,15 +6,15 @@
 #include <memory>
 #include <string>
 
-#include "latchwork/record/journal.h"
+#include "latchwork/record/journal_header.h"
 #include "latchwork/schedule/agent.h"
 #include "latchwork/schedule/tick_record.h"
 
 namespace latchwork::record {
 
 /// Writes a run's journal: the header at once, a frame after every tick, each handed to the
-/// operating system before the next tick begins. When the file cannot be written the run goes on;
-/// `error` says why there is no (whole) journal.
+/// operating system whole before the next tick begins. When the file cannot be written the run goes
+/// on without. Thread rule: one thread.
 class JournalWriter : public schedule::RunObserver {
  public:
   JournalWriter(const std::filesystem::path& file, const JournalHeader& header,
@@ -26,7 +26,8 @@ class JournalWriter : public schedule::RunObserver {
   bool OnTick(const schedule::TickRecord& record) override;
   void OnEnd(const schedule::RunResult& result) override;
 
-  const std::string& error() const;
+  /// Why there is no journal, or no whole one; empty when all is well.
+  const std::string& problem() const;
 
  private:
   class Implementation;

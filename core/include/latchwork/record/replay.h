@@ -3,34 +3,58 @@
 #define LATCHWORK_RECORD_REPLAY_H_
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
-#include "latchwork/record/journal.h"
+#include "latchwork/record/journal_reader.h"
 #include "latchwork/schedule/agent.h"
+#include "latchwork/schedule/tick_record.h"
 
 namespace latchwork::record {
 
 /// The first thing that came out otherwise.
 struct Divergence {
   std::uint64_t tick = 0;
-  std::string place;  ///< "layer avoid, conclusions[0]", "sensor sonar[3]", "commands drive[0]", …
-  std::string recorded;  ///< "(nothing)" for what the journal does not have.
+  std::string place;  ///< "layer avoid, conclusion 1", "sensor sonar, fact 3", "command drive, …"
+  std::string recorded;  ///< "nothing" for what the journal does not have.
   std::string now;
 };
 
-/// "tick 17, layer avoid, conclusions[0]: turn(0.21) in the journal, turn(0.25) now"
+/// "tick 17, layer avoid, conclusion 1: journal turn(0.21), now turn(0.25)"
 std::string ToString(const Divergence& divergence);
 
+/// Compares a run with a journal, tick by tick. Ends the run at the first difference, and where
+/// the journal stops before its run did. Thread rule: one thread.
+class ReplayObserver : public schedule::RunObserver {
+ public:
+  /// Both outlive the observer; nothing but the reader's header may have been read. Of the agent
+  /// only names are used, and only here.
+  ReplayObserver(JournalReader& journal, const schedule::Agent& agent);
+  ~ReplayObserver() override;
+  ReplayObserver(const ReplayObserver&) = delete;
+  ReplayObserver& operator=(const ReplayObserver&) = delete;
+
+  bool OnTick(const schedule::TickRecord& record) override;
+  void OnEnd(const schedule::RunResult& result) override;
+
+  std::uint64_t ticks() const;  ///< That agree.
+  const std::optional<Divergence>& divergence() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
 struct ReplayResult {
-  std::uint64_t ticks = 0;  ///< That agreed.
+  std::uint64_t ticks = 0;  ///< That agree.
   std::optional<Divergence> divergence;
 };
 
-/// Runs the agent again and compares it with the journal tick by tick; stops at the first
-/// difference, or where the journal ends. `agent` is assembled anew, with the seed, the overrides
-/// and the scenario of the journal's header. Compare the headers first (Differences).
-ReplayResult Replay(const Journal& journal, schedule::Agent agent, unsigned threads = 1);
+/// Runs the agent and compares it with the journal, whose header must be there. `agent` is
+/// assembled anew, with the seed, the overrides and the scenario of the header. Compare the headers
+/// first (Differences), and ask the reader for its problem afterwards.
+ReplayResult Replay(JournalReader& journal, schedule::Agent agent, unsigned threads = 1);
 
 }  // namespace latchwork::record
 

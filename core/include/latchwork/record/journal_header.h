@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LATCHWORK_RECORD_JOURNAL_H_
-#define LATCHWORK_RECORD_JOURNAL_H_
+#ifndef LATCHWORK_RECORD_JOURNAL_HEADER_H_
+#define LATCHWORK_RECORD_JOURNAL_HEADER_H_
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "latchwork/config/agent.h"
-#include "latchwork/logic/diagnostic.h"
 #include "latchwork/plugin/registry.h"
 #include "latchwork/schedule/agent.h"
 
@@ -29,7 +27,7 @@ struct JournalHeader {
   };
   std::uint64_t version = kJournalVersion;
   std::string agent;
-  std::string agent_file;
+  std::string agent_file;          ///< As it was given, so usually relative to a folder of then.
   std::string scenario;            ///< A fragment on top of the agent file; empty for none.
   std::string config_fingerprint;  ///< Of the agent file and its includes.
   std::uint64_t seed = 0;
@@ -51,29 +49,6 @@ JournalHeader MakeHeader(const schedule::Agent& agent, const plugin::Registry& r
 /// How `now` differs from what was recorded, one sentence each; empty when a replay must agree.
 std::vector<std::string> Differences(const JournalHeader& recorded, const JournalHeader& now);
 
-/// A whole frame of a tick.
-struct JournalTick {
-  std::uint64_t tick = 0;
-  std::string json;
-  std::uint64_t hash = 0;  ///< Chained over all ticks up to this one.
-};
-
-struct Journal {
-  JournalHeader header;
-  std::vector<JournalTick> ticks;
-  std::string end;  ///< The frame of the run's end (JSON); empty when there is none.
-  std::string
-      tail;  ///< What is wrong after the last whole frame; empty for a journal that ends well.
-  logic::Diagnostics diagnostics;  ///< Not empty: nothing else may be used.
-};
-
-/// Reads every whole frame. A journal that was cut at any byte is read up to there.
-Journal ReadJournal(const std::filesystem::path& file);
-Journal ReadJournalText(std::string_view bytes, std::string_view name);
-
-/// 16 hexadecimal digits.
-std::string HashText(std::uint64_t hash);
-
 }  // namespace latchwork::record
 
-#endif  // LATCHWORK_RECORD_JOURNAL_H_
+#endif  // LATCHWORK_RECORD_JOURNAL_HEADER_H_

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/record/build_id.h"
-#include "latchwork/record/journal.h"
+#include "latchwork/record/journal_header.h"
 
 namespace latchwork::record {
 namespace {
@@ -22,7 +22,7 @@ void AddPlugin(const plugin::Registry& registry, sdk::PluginKind kind, const std
 void Compare(std::string_view what, std::string_view recorded, std::string_view now,
              std::vector<std::string>& differences) {
   if (recorded == now) return;
-  differences.push_back(fmt::format("{}: '{}' in the journal, '{}' now", what, recorded, now));
+  differences.push_back(fmt::format("{}: journal '{}', now '{}'", what, recorded, now));
 }
 
 std::string Text(const std::vector<config::Override>& overrides) {
