@@ -35,8 +35,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kWords =
 }};
 
 std::string Word(const std::string& member) {
-  const auto* const found = std::find_if(
-      kWords.begin(), kWords.end(), [&](const auto& word) { return word.first == member; });
+  const auto* const found = std::find_if(kWords.begin(), kWords.end(),
+                                         [&](const auto& word) { return word.first == member; });
   return found == kWords.end() ? member : std::string(found->second);
 }
 

@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-
 namespace latchwork::record {
 namespace {
 
@@ -49,19 +48,19 @@ std::string HeaderToJson(const JournalHeader& header) {
         {{"kind", each.kind}, {"name", each.name}, {"fingerprint", each.fingerprint}});
   }
   const Json json = {{"format", kFormat},
-               {"version", header.version},
-               {"agent", header.agent},
-               {"agent_file", header.agent_file},
-               {"scenario", header.scenario},
-               {"config", header.config_fingerprint},
-               {"seed", header.seed},
-               {"tick_us", header.tick_us},
-               {"max_ticks", header.max_ticks},
-               {"overrides", std::move(overrides)},
-               {"plugins", std::move(plugins)},
-               {"build", header.build},
-               {"libm", header.libm},
-               {"layers", header.layers}};
+                     {"version", header.version},
+                     {"agent", header.agent},
+                     {"agent_file", header.agent_file},
+                     {"scenario", header.scenario},
+                     {"config", header.config_fingerprint},
+                     {"seed", header.seed},
+                     {"tick_us", header.tick_us},
+                     {"max_ticks", header.max_ticks},
+                     {"overrides", std::move(overrides)},
+                     {"plugins", std::move(plugins)},
+                     {"build", header.build},
+                     {"libm", header.libm},
+                     {"layers", header.layers}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -71,8 +70,9 @@ std::string HeaderFromJson(std::string_view json, JournalHeader& header) {
     if (parsed.at("format").get<std::string>() != kFormat) return "this is not a journal";
     header.version = parsed.at("version").get<std::uint64_t>();
     if (header.version > kJournalVersion) {
-      return fmt::format("the journal has version {} of the format; this program reads up to version {}",
-                         header.version, kJournalVersion);
+      return fmt::format(
+          "the journal has version {} of the format; this program reads up to version {}",
+          header.version, kJournalVersion);
     }
     Fill(parsed, header);
     return {};

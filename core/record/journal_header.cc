@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "latchwork/record/journal_header.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "core/record/build_id.h"
-#include "latchwork/record/journal_header.h"
 
 namespace latchwork::record {
 namespace {

@@ -131,9 +131,10 @@ std::optional<JournalFrame> JournalReader::Next() {
 bool JournalReader::Accept(JournalFrame& frame) {
   chain_ = Chain(chain_, bytes_);
   if (chain_ != checksum_) {
-    return Stop(fmt::format("the frame at byte {} does not match its checksum: it, or one before "
-                            "it, was changed or damaged",
-                            offset_));
+    return Stop(
+        fmt::format("the frame at byte {} does not match its checksum: it, or one before "
+                    "it, was changed or damaged",
+                    offset_));
   }
   frame.hash = chain_;
   frame.json = bytes_;

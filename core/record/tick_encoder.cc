@@ -22,8 +22,10 @@ TickEncoder::TickEncoder(const schedule::Agent& agent)
       commands_(effectors_.size()) {
   for (std::size_t i = 0; i < agent.layers.size(); ++i) {
     const sdk::Contract& contract = agent.layers[i].layer->contract();
-    Layer layer{agent.description.layers[i].name, PortNames(contract.inputs),
-                PortNames(contract.outputs), {}};
+    Layer layer{agent.description.layers[i].name,
+                PortNames(contract.inputs),
+                PortNames(contract.outputs),
+                {}};
     for (const sdk::Goal& goal : agent.layers[i].body.goals) layer.goal_ports.push_back(goal.port);
     layers_.push_back(std::move(layer));
   }

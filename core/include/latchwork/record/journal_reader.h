@@ -55,11 +55,11 @@ class JournalReader {
   std::string name_;
   std::optional<JournalHeader> header_;
   std::optional<logic::Diagnostic> problem_;
-  std::string bytes_;             ///< Of the frame that is being read.
-  std::uint64_t checksum_ = 0;    ///< As its prefix says.
+  std::string bytes_;           ///< Of the frame that is being read.
+  std::uint64_t checksum_ = 0;  ///< As its prefix says.
   std::uint64_t chain_ = 0;
   std::uint64_t next_tick_ = 0;
-  std::uint64_t offset_ = 0;      ///< Where the frame begins in the file.
+  std::uint64_t offset_ = 0;  ///< Where the frame begins in the file.
   std::uint32_t line_ = 0;
   bool ended_ = false;
   bool tail_cut_ = false;
