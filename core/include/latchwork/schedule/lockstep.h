@@ -19,7 +19,7 @@ namespace latchwork::schedule {
 
 struct LockstepOptions {
   unsigned threads = 1;  ///< That decide layers; the result does not depend on it.
-  std::optional<std::uint64_t> max_ticks;  ///< Instead of the description's.
+  std::optional<std::uint64_t> max_ticks{};  ///< Instead of the description's.
   /// A cycle that takes longer is cancelled: a fault of the layer.
   std::chrono::milliseconds wall_limit{10'000};
   /// A reasoner that ignores the cancellation for so long cannot be contained within the process.
@@ -27,8 +27,8 @@ struct LockstepOptions {
   /// What to do then; called by the watchdog's thread. Nothing given: says plugin and tick on
   /// standard error and ends the process with exit code 5 (the journal is whole up to the tick
   /// before).
-  std::function<void(std::string_view plugin, std::uint64_t tick)> on_hang;
-  std::vector<RunObserver*> observers;  ///< Told in this order; not owned.
+  std::function<void(std::string_view plugin, std::uint64_t tick)> on_hang{};
+  std::vector<RunObserver*> observers{};  ///< Told in this order; not owned.
 };
 
 /// Runs an agent tick by tick; a run is a function of agent and seed. What is visible when:
