@@ -60,7 +60,7 @@ void Assembly::MakeWorld() {
   if (agent_.world == nullptr) return;
   sdk::WorldSetup setup;
   setup.seed = agent_.seed;
-  setup.tick_seconds = static_cast<double>(agent_.description.tick_us) * 1e-6;
+  setup.tick_seconds = static_cast<double>(agent_.description.tick_us) / 1e6;
   setup.data = factory_.data_folder(sdk::PluginKind::kWorld, description.plugin);
   setup.symbols = agent_.symbols;
   Try(description.plugin, description.place, [&] {
