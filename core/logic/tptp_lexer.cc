@@ -27,6 +27,12 @@ struct Spelling {
 
 /// The first that fits is taken, so longer ones come before their beginnings.
 constexpr std::array kSpellings = {
+    Spelling{"(", Kind::kLeftParenthesis},
+    Spelling{")", Kind::kRightParenthesis},
+    Spelling{"[", Kind::kLeftBracket},
+    Spelling{"]", Kind::kRightBracket},
+    Spelling{",", Kind::kComma},
+    Spelling{".", Kind::kDot},
     Spelling{"<=>", Kind::kEquivalent},
     Spelling{"<~>", Kind::kXor},
     Spelling{"<->", Kind::kOther},
@@ -47,12 +53,6 @@ constexpr std::array kSpellings = {
     Spelling{"\\+", Kind::kOther},
     Spelling{":=", Kind::kOther},
     Spelling{":-", Kind::kOther},
-    Spelling{"(", Kind::kLeftParenthesis},
-    Spelling{")", Kind::kRightParenthesis},
-    Spelling{"[", Kind::kLeftBracket},
-    Spelling{"]", Kind::kRightBracket},
-    Spelling{",", Kind::kComma},
-    Spelling{".", Kind::kDot},
     Spelling{":", Kind::kColon},
     Spelling{"-", Kind::kMinus},
     Spelling{"*", Kind::kStar},
@@ -208,7 +208,7 @@ TptpToken TptpLexer::Number() {
 
 TptpToken TptpLexer::Symbol() {
   for (const auto& [text, kind] : kSpellings) {
-    if (!Starts(text)) continue;
+    if (text[0] != text_[position_] || !Starts(text)) continue;
     // `! [X] :-1 < X`: a colon and a number.
     if (text == ":-" && IsDigit(At(2))) continue;
     return Take(kind, text.size());

@@ -83,7 +83,8 @@ bool TptpParser::FailLanguage() {
   if (word == "thf" || word == "tcf" || word == "tpi") {
     hint = "the languages read are cnf, fof and tff";
   } else if (cursor_.Is(Kind::kLowerWord)) {
-    const std::string_view nearest = NearestName(word, {"cnf", "fof", "tff", "include"});
+    const std::vector<std::string> languages = {"cnf", "fof", "tff", "include"};
+    const std::string_view nearest = NearestName(word, languages);
     hint = nearest.empty() ? "a formula reads fof(name, axiom, p(a))."
                            : "did you mean '" + std::string(nearest) + "'?";
   }
