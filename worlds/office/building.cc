@@ -2,6 +2,7 @@
 #include "worlds/office/building.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <span>
 #include <utility>
@@ -13,6 +14,7 @@ namespace latchwork::office {
 namespace {
 
 constexpr double kDoorZone = 0.30;
+constexpr std::int64_t kTopFloor = 1000;
 
 template <typename Items>
 std::optional<std::size_t> FindByName(const Items& items, std::string_view name) {
@@ -32,16 +34,16 @@ class BuildingReader {
 
   LoadedBuilding Read() {
     if (!result_.diagnostics.empty()) return std::move(result_);
-    Pass({{"floor", 3, "nwn", &BuildingReader::AddFloor}});
+    Pass({{"floor", 3, "iwn", &BuildingReader::AddFloor}});
     std::sort(building().floors.begin(), building().floors.end(),
               [](const Storey& a, const Storey& b) { return a.number < b.number; });
-    Pass({{"landmark", 4, "wnnn", &BuildingReader::AddLandmark},
-          {"room", 6, "wnnnnn", &BuildingReader::AddRoom},
-          {"door", 6, "wnnnnn", &BuildingReader::AddDoor},
+    Pass({{"landmark", 4, "winn", &BuildingReader::AddLandmark},
+          {"room", 6, "winnnn", &BuildingReader::AddRoom},
+          {"door", 6, "winnnn", &BuildingReader::AddDoor},
           {"elevator", 9, "wnnnnnnnn", &BuildingReader::AddElevator}});
     Pass({{"adjacent", 2, "ww", &BuildingReader::AddEdge},
           {"cab", 2, "ww", &BuildingReader::AddCab},
-          {"lobby", 3, "wwn", &BuildingReader::AddLobby}});
+          {"lobby", 3, "wwi", &BuildingReader::AddLobby}});
     RefuseTheRest();
     CheckWhole();
     return std::move(result_);
@@ -52,7 +54,7 @@ class BuildingReader {
   struct Reading {
     std::string_view name;
     std::size_t arity;
-    std::string_view shape;  ///< w: a word, n: a number
+    std::string_view shape;  ///< w: a word, n: a number, i: a floor
     void (BuildingReader::*add)(Terms);
   };
 
@@ -79,15 +81,20 @@ class BuildingReader {
 
   bool HasShape(const logic::Atom& atom, std::string_view shape) {
     for (std::size_t i = 0; i < shape.size(); ++i) {
-      const logic::Term& term = atom.argument(i);
-      const bool fits =
-          shape[i] == 'n' ? term.is_number() : term.kind() == logic::Term::Kind::kConstant;
-      if (fits) continue;
+      if (Fits(atom.argument(i), shape[i])) continue;
+      const std::string_view kind =
+          shape[i] == 'w' ? "name" : (shape[i] == 'n' ? "number" : "floor: a whole number");
       Fail("argument " + std::to_string(i + 1) + " of '" + std::string(atom.predicate().name()) +
-           "' must be a " + (shape[i] == 'n' ? "number" : "name"));
+           "' must be a " + std::string(kind));
       return false;
     }
     return true;
+  }
+
+  static bool Fits(const logic::Term& term, char shape) {
+    if (shape == 'w') return term.kind() == logic::Term::Kind::kConstant;
+    if (shape == 'n') return term.is_number();
+    return term.kind() == logic::Term::Kind::kInteger && std::abs(term.integer()) <= kTopFloor;
   }
 
   void RefuseTheRest() {
@@ -124,7 +131,7 @@ class BuildingReader {
   }
 
   std::optional<int> FloorOf(const logic::Term& term) {
-    const auto floor = building().FindFloor(static_cast<int>(term.number()));
+    const auto floor = building().FindFloor(term.integer());
     if (!floor) Fail("there is no floor " + logic::ToString(term));
     return floor;
   }
@@ -147,7 +154,7 @@ class BuildingReader {
   }
 
   void AddFloor(Terms t) {
-    const int number = static_cast<int>(t[0].number());
+    const int number = static_cast<int>(t[0].integer());
     if (building().FindFloor(number)) return Fail("floor " + std::to_string(number) + " twice");
     auto loaded = LoadCells(folder_ / t[1].symbol().name(), t[2].number());
     if (!loaded.cells) return Fail(std::move(loaded.error));
@@ -155,7 +162,7 @@ class BuildingReader {
   }
 
   void AddLandmark(Terms t) {
-    const bool in_cab = t[1].number() == 0.0;
+    const bool in_cab = t[1].integer() == 0;
     const auto floor = in_cab ? std::optional(-1) : FloorOf(t[1]);
     if (!floor) return;
     if (!index_.emplace(t[0].symbol(), building().landmarks.size()).second) {
@@ -239,7 +246,7 @@ std::optional<std::size_t> Building::FindElevator(std::string_view name) const {
   return FindByName(elevators, name);
 }
 
-std::optional<int> Building::FindFloor(int number) const {
+std::optional<int> Building::FindFloor(std::int64_t number) const {
   for (std::size_t i = 0; i < floors.size(); ++i) {
     if (floors[i].number == number) return static_cast<int>(i);
   }

@@ -3,6 +3,7 @@
 #define LATCHWORK_OFFICE_BUILDING_H_
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -66,7 +67,7 @@ struct Building {
   std::optional<std::size_t> FindLandmark(std::string_view name) const;
   std::optional<std::size_t> FindDoor(std::string_view name) const;
   std::optional<std::size_t> FindElevator(std::string_view name) const;
-  std::optional<int> FindFloor(int number) const;
+  std::optional<int> FindFloor(std::int64_t number) const;
 };
 
 struct LoadedBuilding {

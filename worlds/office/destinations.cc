@@ -2,45 +2,74 @@
 #include "worlds/office/destinations.h"
 
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 #include "worlds/office/collision.h"
 
 namespace latchwork::office {
+
 namespace {
 
-constexpr double kReached = 0.45;   // m
-constexpr double kPatience = 60.0;  // s
-constexpr double kNearest = 1.0;    // m
-constexpr double kFarthest = 10.0;  // m
-constexpr double kRoom = 0.2;       // m, beside the robot on the straight way
-constexpr std::uint64_t kTries = 200;
+constexpr double kArrived = 0.6;     // m
+constexpr double kPatience = 60.0;   // s
+constexpr double kNearest = 2.0;     // m
+constexpr double kFarthest = 15.0;   // m
+constexpr double kClearance = 0.6;   // m
+constexpr double kLattice = 0.2;     // m
+constexpr double kMargin = 0.1;      // beyond the robot's rim on the way, m
+constexpr std::size_t kPocket = 25;  // places; fewer are a corner that the margin cuts off
 
 }  // namespace
 
 Destinations::Destinations(std::uint64_t seed, double radius, double tick_seconds)
     : random_(seed, "destinations"),
       radius_(radius),
-      patience_(static_cast<std::uint64_t>(kPatience / tick_seconds)) {}
+      patience_(static_cast<std::uint64_t>(std::lround(kPatience / tick_seconds))) {}
 
-Point Destinations::At(std::uint64_t tick, const FloorMap& map, Point robot) {
-  if (chosen_ && Distance(place_, robot) > kReached && tick - since_ < patience_) return place_;
-  place_ = Choose(tick, map, robot);
-  since_ = tick;
-  chosen_ = true;
-  return place_;
+void Destinations::Update(const FloorMap& map, Point robot) {
+  const bool arrived = current_ && Distance(*current_, robot) <= kArrived;
+  if (arrived) ++reached_;
+  if (version_ == 0 || arrived || ++waited_ >= patience_) Pick(map, robot);
 }
 
-Point Destinations::Choose(std::uint64_t tick, const FloorMap& map, Point robot) const {
-  for (std::uint64_t i = 0; i < kTries; ++i) {
-    // In a tight place the first half of the tries may find nothing; then any free way will do.
-    const double room = i < kTries / 2 ? kRoom : 0.01;
-    const double way = random_.Between(kNearest, kFarthest, tick, 2 * i);
-    const double angle = random_.Between(-std::numbers::pi, std::numbers::pi, tick, 2 * i + 1);
-    const Point place{robot.x + way * std::cos(angle), robot.y + way * std::sin(angle)};
-    if (IsLineFree(map, robot, place, radius_ + room)) return place;
+void Destinations::Pick(const FloorMap& map, Point robot) {
+  Explore(map, robot, radius_ + kMargin);
+  if (reachable_.size() < kPocket) Explore(map, robot, radius_);
+  std::erase_if(reachable_, [&](Point place) { return Distance(place, robot) < kNearest; });
+  std::vector<Point> roomy;
+  for (const Point place : reachable_) {
+    if (!FindContact(map, place, kClearance)) roomy.push_back(place);
   }
-  return robot;
+  const std::vector<Point>& places = roomy.empty() ? reachable_ : roomy;
+  ++version_;
+  waited_ = 0;
+  current_.reset();
+  if (!places.empty()) current_ = places[random_.Index(places.size(), version_)];
+}
+
+/// Spreads over a lattice around the robot. Free discs a lattice step apart, larger than the robot
+/// by the margin, leave the way between them free for it, so that way needs no check of its own.
+void Destinations::Explore(const FloorMap& map, Point robot, double radius) {
+  constexpr int kReach = static_cast<int>(kFarthest / kLattice);
+  constexpr int kSide = 2 * kReach + 1;
+  std::vector<char> seen(static_cast<std::size_t>(kSide) * kSide, 0);
+  std::vector<std::pair<int, int>> open{{0, 0}};
+  reachable_.clear();
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const auto [x, y] = open[i];
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+      const int nx = x + dx;
+      const int ny = y + dy;
+      if (nx * nx + ny * ny > kReach * kReach) continue;
+      char& mark = seen[static_cast<std::size_t>((ny + kReach) * kSide + nx + kReach)];
+      if (mark != 0) continue;
+      mark = 1;
+      const Point place{robot.x + nx * kLattice, robot.y + ny * kLattice};
+      if (FindContact(map, place, radius)) continue;
+      open.emplace_back(nx, ny);
+      reachable_.push_back(place);
+    }
+  }
 }
 
 }  // namespace latchwork::office

@@ -128,18 +128,4 @@ std::optional<int> Elevator::NextCall() const {
   return std::nullopt;
 }
 
-std::string_view NameOf(Elevator::Door door) {
-  switch (door) {
-    case Elevator::Door::kClosed:
-      return "closed";
-    case Elevator::Door::kOpening:
-      return "opening";
-    case Elevator::Door::kOpen:
-      return "open";
-    case Elevator::Door::kClosing:
-      return "closing";
-  }
-  return "closed";
-}
-
 }  // namespace latchwork::office

@@ -34,7 +34,6 @@ class Elevator {
   Door door() const { return door_; }
   /// Shut for bodies: from the moment it has closed until it is fully open.
   bool is_shut() const { return shut_; }
-  bool is_moving() const { return direction_ != 0; }
   bool in_service() const { return in_service_; }
   void PutAt(int floor) { floor_ = floor; }
 
@@ -71,9 +70,6 @@ class Elevator {
   bool in_service_ = true;
   bool shut_ = true;
 };
-
-/// `open`, `opening`, `closing` or `closed`.
-std::string_view NameOf(Elevator::Door door);
 
 }  // namespace latchwork::office
 

@@ -12,17 +12,17 @@ namespace latchwork::office {
 /// The places of the ports in the contract.
 enum SensorPort : std::size_t {
   kSonar,
+  kRobot,
   kPose,
   kPlace,
+  kBuilding,
   kElevators,
   kDoors,
   kGoal,
-  kRobot,
-  kBuilding,
   kDestination,
   kSensorPorts
 };
-enum EffectorPort : std::size_t { kDrive, kElevatorButtons, kEffectorPorts };
+enum EffectorPort : std::size_t { kDrive, kButtons, kEffectorPorts };
 
 sdk::Contract OfficeContract();
 std::vector<sdk::PredicateSpec> OfficeEvents();

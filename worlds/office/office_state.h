@@ -3,17 +3,15 @@
 #define LATCHWORK_OFFICE_OFFICE_STATE_H_
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "latchwork/logic/diagnostic.h"
-#include "latchwork/sdk/parameters.h"
-#include "latchwork/sdk/world.h"
 #include "worlds/office/boxes.h"
 #include "worlds/office/building.h"
 #include "worlds/office/collision.h"
+#include "worlds/office/destinations.h"
 #include "worlds/office/elevator.h"
 #include "worlds/office/localization.h"
 #include "worlds/office/people.h"
@@ -27,6 +25,7 @@ namespace latchwork::office {
 struct Leaf {
   std::vector<CellIndex> cells;
   bool shut = false;
+  bool shuts = false;  ///< Somebody shuts it, and it does not go on while the robot is in it.
 };
 
 /// Everything that one run of the office changes. Made by MakeOffice, stepped by OfficeWorld.
@@ -36,9 +35,21 @@ struct OfficeState {
   OfficeState& operator=(const OfficeState&) = delete;
 
   FloorMap& map() { return maps[static_cast<std::size_t>(floor)]; }
+  Point place() const { return PointOf(vehicle->pose()); }  ///< Of the robot.
+  /// Nothing may close, appear or move in within this distance of the robot's centre, m: it could
+  /// not stop in time.
+  double reach() const;
+  /// Opens or shuts a door, whatever stands in it.
   void SetDoor(std::size_t door, bool shut);
+  /// Shuts a door now, or as soon as the robot has left it.
+  void ShutDoorOnceClear(std::size_t door);
+  /// One tick of the doors that wait.
+  void ShutWaitingDoors();
   /// Makes the elevators' leaves agree with their doors.
   void SyncElevatorLeaves();
+  void PutBox(const Box& box);
+  /// Something that the picture shows where the robot is.
+  void Remark(std::uint64_t tick, std::string text);
 
   const Building building;
   std::vector<FloorMap> maps;  ///< The building's, with what stands in it in this run.
@@ -50,21 +61,12 @@ struct OfficeState {
   std::optional<People> people;
   std::optional<Odometry> odometry;
   LandmarkTracker tracker;
+  std::optional<Destinations> destinations;  ///< Only where the world names places to go.
   std::vector<Elevator> elevators;
   std::vector<Leaf> doors;                         ///< By door of the building.
   std::vector<std::vector<Leaf>> elevator_leaves;  ///< By elevator and floor.
-  std::vector<char> seen_shut;                     ///< By door.
   Record record;                                   ///< What the picture shows.
 };
-
-struct MadeOffice {
-  std::unique_ptr<OfficeState> state;
-  logic::Diagnostics diagnostics;
-};
-
-/// Sets up a run from parameters that passed OfficeParameters; every mistake with the place of its
-/// parameter.
-MadeOffice MakeOffice(const sdk::WorldSetup& setup, const sdk::Parameters& parameters);
 
 }  // namespace latchwork::office
 

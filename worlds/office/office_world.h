@@ -12,8 +12,9 @@
 #include <vector>
 
 #include "latchwork/sdk/world.h"
-#include "worlds/office/destinations.h"
 #include "worlds/office/office_contract.h"
+#include "worlds/office/office_effectors.h"
+#include "worlds/office/office_sensors.h"
 #include "worlds/office/office_state.h"
 
 namespace latchwork::office {
@@ -43,45 +44,32 @@ class OfficeWorld final : public sdk::World {
   const OfficeState& state() const { return *state_; }
 
  private:
-  void InternWords(logic::SymbolTable& symbols);
-  void ObserveSonar(std::uint64_t tick, std::vector<logic::Fact>& facts);
-  void ObservePlace(std::vector<logic::Fact>& facts) const;
-  void ObserveElevators(std::vector<logic::Fact>& facts) const;
-  void ObserveDoors(std::vector<logic::Fact>& facts);
-  void ObserveRobot(std::vector<logic::Fact>& facts) const;
-  void ObserveBuilding(std::vector<logic::Fact>& facts) const;
-  void ObserveDestination(std::uint64_t tick, std::vector<logic::Fact>& facts);
-  void Drive(const sdk::Batch& batch);
-  void PressButtons(const sdk::Batch& batch);
+  struct Counts {
+    std::uint64_t ticks = 0;
+    std::uint64_t collisions = 0;
+    std::uint64_t rides = 0;
+  };
+
   void StepElevators(std::uint64_t tick);
   void MoveRobot(std::uint64_t tick);
+  void Collide(std::uint64_t tick, const Contact& contact);
   void Remember(std::uint64_t tick);
   void CheckGoal();
-  void Remark(std::uint64_t tick, std::string text);
-  std::string EventError(const logic::Fact& event, std::uint64_t tick);
-  std::string SetDoorByEvent(const logic::Fact& event, bool shut);
-  std::string SetServiceByEvent(const logic::Fact& event, bool in_service);
-  std::string PutBox(const logic::Fact& event);
+  void CheckTime();
+  double Seconds() const { return static_cast<double>(counts_.ticks) * tick_seconds_; }
 
   sdk::Contract contract_;
   std::vector<sdk::ParameterSpec> parameters_;
   std::vector<sdk::PredicateSpec> events_;
   std::unique_ptr<OfficeState> state_;
+  std::optional<OfficeSensors> sensors_;
+  std::optional<OfficeEffectors> effectors_;
   double tick_seconds_ = 0.1;
+  double drive_for_ = 0.0;
   bool end_at_collision_ = true;
-  std::optional<Destinations> destinations_;
-  sdk::Outcome outcome_;
-  std::uint64_t collisions_ = 0;
-  std::uint64_t rides_ = 0;
   bool touching_ = false;
-  std::optional<double> last_turn_;
-
-  logic::Symbol sonar_reading_, no_echo_, curr_location_, curr_heading_, curr_landmark_,
-      curr_floor_, elevator_at_, elevator_door_, elevator_moving_, elevator_open_,
-      elevator_out_of_order_, inside_, out_of_order_, door_shut_, goal_, fwd_, turn_, halt_, call_,
-      ride_, move_cmd_;
-  logic::SymbolTable* symbols_ = nullptr;
-  std::vector<logic::Symbol> door_states_;  ///< By Elevator::Door.
+  Counts counts_;
+  sdk::Outcome outcome_;
 };
 
 }  // namespace latchwork::office

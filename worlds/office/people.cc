@@ -93,10 +93,16 @@ bool People::IsInTheWay(const Person& person, Point next, const Disc& other) con
   return beside < reach + 0.15;
 }
 
+bool People::ComesTooNear(const Person& person, Point next, const Disc& robot) const {
+  const double then = Distance(next, robot.centre);
+  const double closest = options_.radius + robot.radius + options_.distance;
+  return then < closest && then < Distance(person.place, robot.centre);
+}
+
 bool People::IsBlocked(std::size_t self, Point next, const FloorMap& map, int robot_floor,
                        const Disc& robot) const {
   const Person& person = people_[self];
-  if (person.floor == robot_floor && IsInTheWay(person, next, robot)) return true;
+  if (person.floor == robot_floor && ComesTooNear(person, next, robot)) return true;
   for (std::size_t i = 0; i < people_.size(); ++i) {
     if (i == self || people_[i].floor != person.floor) continue;
     if (IsInTheWay(person, next, {people_[i].place, options_.radius})) return true;

@@ -15,14 +15,16 @@ namespace latchwork::office {
 
 struct PeopleOptions {
   int count = 0;
-  double speed = 0.8;     ///< m/s
-  double radius = 0.2;    ///< m
-  double distance = 0.9;  ///< They stop when somebody is nearer ahead of them, rim to rim, m.
+  double speed = 0.8;   ///< m/s
+  double radius = 0.2;  ///< m
+  double distance =
+      0.9;  ///< Nearer they do not come to the robot, or to people ahead, rim to rim, m.
   double patience = 4.0;  ///< s; then they turn round.
 };
 
-/// People who walk up and down the corridors, on the right-hand side, by seed. They stop for the
-/// robot and for each other and never walk into the robot. Thread rule: used by one thread.
+/// People who walk up and down the corridors, on the right-hand side, by seed. They stop for each
+/// other, and take no step that brings them nearer to a robot that is near. Thread rule: used by
+/// one thread.
 class People {
  public:
   /// Places nobody within 3 m of `keep_free`, the robot's place on floor `robot_floor`.
@@ -49,6 +51,8 @@ class People {
   bool IsBlocked(std::size_t self, Point next, const FloorMap& map, int robot_floor,
                  const Disc& robot) const;
   bool IsInTheWay(const Person& person, Point next, const Disc& other) const;
+  /// Wherever the robot is: ahead, beside, or round a corner.
+  bool ComesTooNear(const Person& person, Point next, const Disc& robot) const;
   std::size_t NextLandmark(const Person& person, std::uint64_t tick, std::size_t self) const;
   void CollectDiscs();
 

@@ -27,6 +27,7 @@ double CastAtDisc(Point from, Point direction, const Disc& disc) {
 SonarRing::SonarRing(const SonarOptions& options, std::uint64_t seed)
     : options_(options), noise_(seed, "sonar noise"), missed_(seed, "sonar missed") {
   readings_.resize(static_cast<std::size_t>(options.count), kNothing);
+  failed_.resize(readings_.size(), 0);
 }
 
 double SonarRing::BearingOf(int sonar) const {
@@ -45,10 +46,12 @@ std::span<const double> SonarRing::Read(const FloorMap& map, const Pose& pose,
     if (Distance(disc.centre, PointOf(pose)) < reach) near_.push_back(disc);
   }
   for (int n = 0; n < options_.count; ++n) {
+    const auto index = static_cast<std::size_t>(n);
+    readings_[index] = kNothing;
+    if (failed_[index] != 0) continue;
     const double axis = pose.heading + BearingOf(n);
     const Point from{pose.x + options_.mount_radius * std::cos(axis),
                      pose.y + options_.mount_radius * std::sin(axis)};
-    const auto index = static_cast<std::size_t>(n);
     readings_[index] = Hear(Cone(map, from, axis), tick, index);
   }
   return readings_;

@@ -43,6 +43,10 @@ class SonarRing {
   int size() const { return options_.count; }
   /// Direction of a sonar relative to straight ahead, rad, in (-pi, pi].
   double BearingOf(int sonar) const;
+  /// A sonar that failed hears nothing.
+  void SetFailed(int sonar, bool failed) {
+    failed_[static_cast<std::size_t>(sonar)] = failed ? 1 : 0;
+  }
 
  private:
   double Cone(const FloorMap& map, Point from, double axis) const;
@@ -52,6 +56,7 @@ class SonarRing {
   sdk::RandomStream noise_;
   sdk::RandomStream missed_;
   std::vector<double> readings_;
+  std::vector<char> failed_;
   std::vector<Disc> near_;
 };
 

@@ -37,6 +37,7 @@ class Vehicle {
       : options_(options), dt_(tick_seconds) {}
 
   void Place(const Pose& pose);
+  const VehicleOptions& options() const { return options_; }
   const Pose& pose() const { return pose_; }
   double speed() const { return speed_; }
   double turn_rate() const { return turn_rate_; }

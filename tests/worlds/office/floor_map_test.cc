@@ -63,7 +63,7 @@ TEST(FloorMapTest, Outside_IsOccupied) {
 }
 
 TEST(LoadCellsTest, ShippedFloor_HasItsSize) {
-  const auto loaded = LoadCells(ShippedFolder() / "building/floor1.png", 0.05);
+  const auto loaded = LoadCells(ShippedFolder() / "data/building/floor1.png", 0.05);
   ASSERT_TRUE(loaded.cells) << loaded.error;
   EXPECT_EQ(loaded.cells->width, 880);
   EXPECT_EQ(loaded.cells->height, 560);
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(LoadCellsTest, CutPng_IsRefused) {
   const TemporaryFolder folder;
-  const std::string whole = Slurp(ShippedFolder() / "building/floor1.png");
+  const std::string whole = Slurp(ShippedFolder() / "data/building/floor1.png");
   EXPECT_THAT(LoadCells(folder.Write("a.png", whole.substr(0, 1000)), 0.05).error,
               HasSubstr("cut short"));
   std::string damaged = whole;
@@ -155,7 +155,7 @@ TEST(LoadCellsTest, MissingFile_IsRefused) {
 }
 
 TEST(LoadCellsTest, AbsurdResolution_IsRefused) {
-  const auto file = ShippedFolder() / "building/floor1.png";
+  const auto file = ShippedFolder() / "data/building/floor1.png";
   EXPECT_THAT(LoadCells(file, 0.0).error, HasSubstr("resolution"));
 }
 

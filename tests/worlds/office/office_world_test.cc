@@ -33,7 +33,7 @@ class OfficeWorldTest : public testing::Test {
   void Tick(std::vector<Fact> drive, std::vector<Fact> buttons = {}) {
     std::vector<sdk::Batch> effectors(kEffectorPorts);
     effectors[kDrive] = {true, std::move(drive)};
-    effectors[kElevatorButtons] = {true, std::move(buttons)};
+    effectors[kButtons] = {true, std::move(buttons)};
     world_.Observe(tick_, sensors_);
     world_.Apply(tick_, effectors);
     world_.Step(tick_++);
@@ -91,10 +91,17 @@ TEST_F(OfficeWorldTest, EveryPort_SaysWhatItsContractNames) {
   Tick({});
   EXPECT_THAT(Sensed(kSonar), HasSubstr("15"));
   EXPECT_THAT(Sensed(kPose), HasSubstr("curr_heading("));
-  EXPECT_EQ(Sensed(kPlace), "curr_landmark(r1_07) curr_floor(1) ");
-  EXPECT_THAT(Sensed(kElevators), HasSubstr("elevator_door(e2, closed)"));
+  EXPECT_EQ(Sensed(kPlace), "curr_landmark(r1_07) ");
+  EXPECT_THAT(Sensed(kPose), HasSubstr("curr_floor(1)"));
+  EXPECT_THAT(Sensed(kElevators), HasSubstr("elevator_at(e2, "));
   EXPECT_EQ(Sensed(kGoal), "goal(r3_02) ");
   EXPECT_EQ(sensors_[kSonar].facts.size(), 16U);
+  EXPECT_THAT(Sensed(kRobot), HasSubstr("sonar_direction(0, 0.0) "));
+  EXPECT_THAT(Sensed(kRobot), HasSubstr("robot_radius(0.25)"));
+  for (const char* fact : {"landmark(cab_e1, 0, 18.0, 12.5)", "elevator_front(e2, l3_e2, 3)",
+                           "cab(e1, cab_e1)", "adjacent(d1_08, i1_08)", "adjacent(i1_08, d1_08)"}) {
+    EXPECT_THAT(Sensed(kBuilding), HasSubstr(fact));
+  }
 }
 
 TEST_F(OfficeWorldTest, ElevatorRide_ChangesTheFloor) {
@@ -198,15 +205,14 @@ TEST_F(OfficeWorldTest, MalformedBuilding_NamesLines) {
 
 TEST_F(OfficeWorldTest, Events_ChangeTheWorldOrSayWhyNot) {
   ASSERT_TRUE(Load({{"start", "d1_08"}}).empty());
-  EXPECT_TRUE(world_.HandleEvent(0, Make("door_shut", {Word("d1_09")})).empty());
+  EXPECT_TRUE(world_.HandleEvent(0, Make("door_shuts", {Word("d1_09")})).empty());
   EXPECT_TRUE(world_.state().doors[*world_.state().building.FindDoor("d1_09")].shut);
-  EXPECT_TRUE(world_.HandleEvent(0, Make("door_opened", {Word("d1_09")})).empty());
+  EXPECT_TRUE(world_.HandleEvent(0, Make("door_opens", {Word("d1_09")})).empty());
   EXPECT_TRUE(world_.HandleEvent(0, Make("out_of_order", {Word("e2")})).empty());
   EXPECT_FALSE(world_.state().elevators[1].in_service());
-  EXPECT_EQ(world_.HandleEvent(0, Make("door_shut", {Word("d1_08")})).size(), 1U);
-  EXPECT_EQ(world_.HandleEvent(0, Make("door_shut", {Word("nowhere")})).size(), 1U);
+  EXPECT_EQ(world_.HandleEvent(0, Make("door_shuts", {Word("nowhere")})).size(), 1U);
   EXPECT_EQ(world_.HandleEvent(0, Make("rain", {})).size(), 1U);
-  EXPECT_EQ(world_.HandleEvent(0, Make("door_shut", {Term::Integer(3)})).size(), 1U);
+  EXPECT_EQ(world_.HandleEvent(0, Make("door_shuts", {Term::Integer(3)})).size(), 1U);
 }
 
 TEST_F(OfficeWorldTest, Pictures_AreDrawnForEveryFloor) {

@@ -36,7 +36,7 @@ class TemporaryFolder {
 };
 
 inline std::filesystem::path ShippedFolder() {
-  return std::filesystem::path(LATCHWORK_SOURCE_DIR) / "worlds/office/data";
+  return std::filesystem::path(LATCHWORK_SOURCE_DIR) / "worlds/office";
 }
 
 }  // namespace latchwork::office
