@@ -50,30 +50,12 @@ int ExitCodeOf(schedule::RunResult::State state) {
   return state == schedule::RunResult::State::kReached ? kDone : kGoalNotReached;
 }
 
-/// Stops here when anything is wrong: `run` then carries errors and exit code.
-std::optional<schedule::Agent> Prepare(const RunRequest& request, const plugin::Registry& registry,
-                                       logic::SymbolTable& symbols, FinishedRun& run) {
-  config::AgentFile file =
-      config::ReadAgentFile(request.agent_file, schedule::MakeCatalog(registry), request.overrides, symbols);
-  if (!file.agent) {
-    run.errors = logic::Format(file.diagnostics);
-    run.exit_code = file.plugin_failure ? kPluginFailure : kInvalidInput;
-    return std::nullopt;
-  }
-  schedule::AssembledAgent assembled = schedule::AssembleAgent(
-      std::move(*file.agent), schedule::MakePartFactory(registry), symbols, request.seed);
-  if (!assembled.agent) {
-    run.errors = logic::Format(assembled.diagnostics);
-    run.exit_code = assembled.plugin_failure ? kPluginFailure : kInvalidInput;
-  }
-  return std::move(assembled.agent);
-}
-
 bool MakeFolder(const std::filesystem::path& folder, FinishedRun& run) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!error) return true;
-  run.errors = fmt::format("latchwork: cannot make the folder {}: {}\n", folder.string(), error.message());
+  run.errors =
+      fmt::format("latchwork: cannot make the folder {}: {}\n", folder.string(), error.message());
   run.exit_code = kUsage;
   return false;
 }
@@ -92,16 +74,50 @@ void WriteFile(const std::filesystem::path& file, const std::string& text, Finis
 
 void WriteResults(const RunRequest& request, const sdk::World& world, FinishedRun& run) {
   WriteFile(request.out / "summary.json", ToJson({run}) + "\n", run);
-  for (std::filesystem::path& picture : world.Draw(request.out)) run.written.push_back(std::move(picture));
+  for (std::filesystem::path& picture : world.Draw(request.out))
+    run.written.push_back(std::move(picture));
+}
+
+/// A run without its journal is still a run; what is missing is told.
+void CloseJournal(const record::JournalWriter& journal, const std::filesystem::path& file,
+                  FinishedRun& run) {
+  if (journal.problem().empty()) {
+    run.written.push_back(file);
+  } else {
+    run.errors += fmt::format("latchwork: {}\n", journal.problem());
+    run.exit_code = std::max<int>(run.exit_code, kInternalError);
+  }
 }
 
 }  // namespace
 
-FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry, const TickNotice& notice) {
+std::optional<schedule::Agent> PrepareAgent(const RunRequest& request,
+                                            const plugin::Registry& registry,
+                                            logic::SymbolTable& symbols, FinishedRun& run) {
+  std::vector<std::filesystem::path> fragments;
+  if (request.scenario) fragments.push_back(*request.scenario);
+  config::AgentFile file = config::ReadAgentFile(
+      request.agent_file, schedule::MakeCatalog(registry), request.overrides, symbols, fragments);
+  if (!file.agent) {
+    run.errors = logic::Format(file.diagnostics);
+    run.exit_code = file.plugin_failure ? kPluginFailure : kInvalidInput;
+    return std::nullopt;
+  }
+  schedule::AssembledAgent assembled = schedule::AssembleAgent(
+      std::move(*file.agent), schedule::MakePartFactory(registry), symbols, request.seed);
+  if (!assembled.agent) {
+    run.errors = logic::Format(assembled.diagnostics);
+    run.exit_code = assembled.plugin_failure ? kPluginFailure : kInvalidInput;
+  }
+  return std::move(assembled.agent);
+}
+
+FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry,
+                     const TickNotice& notice) {
   FinishedRun run;
   run.request = request;
   logic::SymbolTable symbols;
-  std::optional<schedule::Agent> agent = Prepare(request, registry, symbols, run);
+  std::optional<schedule::Agent> agent = PrepareAgent(request, registry, symbols, run);
   if (!agent) return run;
   if (!request.out.empty() && !MakeFolder(request.out, run)) return run;
 
@@ -112,9 +128,12 @@ FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry
   options.threads = request.threads;
   options.max_ticks = request.ticks;
   options.observers.push_back(&watch);
+  const std::filesystem::path journal_file = request.out / "run.journal";
   std::unique_ptr<record::JournalWriter> journal;
   if (!request.out.empty()) {
-    journal = std::make_unique<record::JournalWriter>(request.out / "run.journal", *agent, registry);
+    const record::JournalHeader header = record::MakeHeader(
+        *agent, registry, request.overrides, request.scenario.value_or(""), request.ticks);
+    journal = std::make_unique<record::JournalWriter>(journal_file, header, *agent);
     options.observers.push_back(journal.get());
   }
   const std::shared_ptr<sdk::World> world = agent->world;
@@ -122,12 +141,16 @@ FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry
   run.result = lockstep.Run();
   run.began = true;
   run.exit_code = ExitCodeOf(run.result.state);
-  if (!request.out.empty()) WriteResults(request, *world, run);
+  if (journal != nullptr) {
+    CloseJournal(*journal, journal_file, run);
+    WriteResults(request, *world, run);
+  }
   return run;
 }
 
 std::string CommandOf(const RunRequest& request) {
-  std::string command = fmt::format("latchwork run {} --seed {}", request.agent_file.string(), request.seed);
+  std::string command =
+      fmt::format("latchwork run {} --seed {}", request.agent_file.string(), request.seed);
   if (request.scenario) command += fmt::format(" --scenario {}", request.scenario->string());
   if (request.ticks) command += fmt::format(" --ticks {}", *request.ticks);
   for (const config::Override& setting : request.overrides) {
@@ -141,7 +164,8 @@ std::optional<config::Override> ParseOverride(std::string_view text) {
   if (equals == std::string_view::npos) return std::nullopt;
   const std::size_t dot = text.substr(0, equals).rfind('.');
   if (dot == std::string_view::npos || dot == 0 || dot + 1 == equals) return std::nullopt;
-  return config::Override{std::string(text.substr(0, dot)), std::string(text.substr(dot + 1, equals - dot - 1)),
+  return config::Override{std::string(text.substr(0, dot)),
+                          std::string(text.substr(dot + 1, equals - dot - 1)),
                           std::string(text.substr(equals + 1))};
 }
 

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "latchwork/config/agent.h"
+#include "latchwork/logic/symbol.h"
 #include "latchwork/plugin/registry.h"
+#include "latchwork/schedule/agent.h"
 #include "latchwork/schedule/statistics.h"
 #include "latchwork/schedule/tick_record.h"
 
@@ -20,7 +22,8 @@ namespace latchwork::app {
 /// One run of one agent file.
 struct RunRequest {
   std::filesystem::path agent_file;
-  std::optional<std::filesystem::path> scenario;  ///< A fragment whose overrides and events come on top.
+  std::optional<std::filesystem::path>
+      scenario;  ///< A fragment whose overrides and events come on top.
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> ticks;
   std::vector<config::Override> overrides;
@@ -33,18 +36,25 @@ struct FinishedRun {
   int exit_code = 0;
   std::string agent_name;
   std::string errors;  ///< Diagnostics or I/O errors, ready to print; empty when all went well.
-  schedule::RunResult result;                 ///< Only when the run began.
-  std::vector<schedule::Fault> faults;        ///< The first of each layer and kind, with its tick.
-  std::vector<std::string> layer_names;       ///< For the faults.
+  schedule::RunResult result;            ///< Only when the run began.
+  std::vector<schedule::Fault> faults;   ///< The first of each layer and kind, with its tick.
+  std::vector<std::string> layer_names;  ///< For the faults.
   std::vector<std::filesystem::path> written;
   bool began = false;
 };
+
+/// Reads, checks and assembles the agent of a request. Nothing when anything is wrong: `run` then
+/// carries errors and exit code. `symbols` outlives the agent.
+std::optional<schedule::Agent> PrepareAgent(const RunRequest& request,
+                                            const plugin::Registry& registry,
+                                            logic::SymbolTable& symbols, FinishedRun& run);
 
 /// Told after every tick: ticks done and in all.
 using TickNotice = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
 /// Reads, checks, assembles and runs, and writes what the run leaves behind.
-FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry, const TickNotice& notice);
+FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry,
+                     const TickNotice& notice);
 
 /// The command that repeats a run.
 std::string CommandOf(const RunRequest& request);

@@ -11,11 +11,13 @@
 
 namespace latchwork::record {
 
+using Notice = std::function<void(std::uint64_t ticks)>;
+
 /// Reads one frame ahead, to end the run in time.
 class ReplayObserver::Implementation {
  public:
-  Implementation(JournalReader& journal, const schedule::Agent& agent)
-      : journal_(journal), encoder_(agent), next_(journal.Next()) {}
+  Implementation(JournalReader& journal, const schedule::Agent& agent, Notice notice)
+      : journal_(journal), encoder_(agent), notice_(std::move(notice)), next_(journal.Next()) {}
 
   bool Tick(const schedule::TickRecord& record) {
     if (!next_) return false;
@@ -26,6 +28,7 @@ class ReplayObserver::Implementation {
       return Diverge(*difference);
     }
     ++ticks_;
+    if (notice_) notice_(ticks_);
     next_ = journal_.Next();
     return next_.has_value();
   }
@@ -50,13 +53,14 @@ class ReplayObserver::Implementation {
 
   JournalReader& journal_;
   TickEncoder encoder_;
+  Notice notice_;
   std::optional<JournalFrame> next_;
   std::uint64_t ticks_ = 0;
   std::optional<Divergence> divergence_;
 };
 
-ReplayObserver::ReplayObserver(JournalReader& journal, const schedule::Agent& agent)
-    : implementation_(std::make_unique<Implementation>(journal, agent)) {}
+ReplayObserver::ReplayObserver(JournalReader& journal, const schedule::Agent& agent, Notice notice)
+    : implementation_(std::make_unique<Implementation>(journal, agent, std::move(notice))) {}
 ReplayObserver::~ReplayObserver() = default;
 
 bool ReplayObserver::OnTick(const schedule::TickRecord& record) {
@@ -73,8 +77,9 @@ std::string ToString(const Divergence& divergence) {
                      divergence.recorded, divergence.now);
 }
 
-ReplayResult Replay(JournalReader& journal, schedule::Agent agent, unsigned threads) {
-  ReplayObserver observer(journal, agent);
+ReplayResult Replay(JournalReader& journal, schedule::Agent agent, unsigned threads,
+                    const Notice& notice) {
+  ReplayObserver observer(journal, agent, notice);
   schedule::LockstepOptions options;
   options.threads = threads;
   options.max_ticks = journal.header()->max_ticks;

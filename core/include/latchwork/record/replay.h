@@ -3,6 +3,7 @@
 #define LATCHWORK_RECORD_REPLAY_H_
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,9 +29,10 @@ std::string ToString(const Divergence& divergence);
 /// the journal stops before its run did. Thread rule: one thread.
 class ReplayObserver : public schedule::RunObserver {
  public:
-  /// Both outlive the observer; nothing but the reader's header may have been read. Of the agent
-  /// only names are used, and only here.
-  ReplayObserver(JournalReader& journal, const schedule::Agent& agent);
+  /// The journal outlives the observer; nothing but its header has been read. Of the agent only
+  /// names are used, and only here. `notice` is told after every tick how many agree.
+  ReplayObserver(JournalReader& journal, const schedule::Agent& agent,
+                 std::function<void(std::uint64_t ticks)> notice = {});
   ~ReplayObserver() override;
   ReplayObserver(const ReplayObserver&) = delete;
   ReplayObserver& operator=(const ReplayObserver&) = delete;
@@ -53,8 +55,10 @@ struct ReplayResult {
 
 /// Runs the agent and compares it with the journal, whose header must be there. `agent` is
 /// assembled anew, with the seed, the overrides and the scenario of the header. Compare the headers
-/// first (Differences), and ask the reader for its problem afterwards.
-ReplayResult Replay(JournalReader& journal, schedule::Agent agent, unsigned threads = 1);
+/// first (Differences), and ask the reader for its problem afterwards. `notice` is told after every
+/// tick how many agree.
+ReplayResult Replay(JournalReader& journal, schedule::Agent agent, unsigned threads = 1,
+                    const std::function<void(std::uint64_t ticks)>& notice = {});
 
 }  // namespace latchwork::record
 
