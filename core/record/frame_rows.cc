@@ -18,7 +18,7 @@ using Rows = std::vector<FrameRow>;
 constexpr std::string_view kNothing = "nothing";
 
 /// What members are called in a place; others keep their names.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kWords = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kWords = {{
     {"events", "event"},
     {"sensed", "sensor"},
     {"latched", ""},
@@ -32,6 +32,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kWords =
     {"assumptions", "assumption"},
     {"rests_on", "rests on"},
     {"attachment_calls", "attachment calls"},
+    {"made_by_bound", "made by bound"},
 }};
 
 std::string Word(const std::string& member) {

@@ -12,14 +12,19 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "latchwork journal";
 
+/// No conversion: throws for what is negative or has a fraction.
+std::uint64_t Number(const Json& json, const char* name) {
+  return json.at(name).get_ref<const std::uint64_t&>();
+}
+
 void Fill(const Json& json, JournalHeader& header) {
   header.agent = json.at("agent").get<std::string>();
   header.agent_file = json.at("agent_file").get<std::string>();
   header.scenario = json.at("scenario").get<std::string>();
   header.config_fingerprint = json.at("config").get<std::string>();
-  header.seed = json.at("seed").get<std::uint64_t>();
-  header.tick_us = json.at("tick_us").get<std::uint64_t>();
-  header.max_ticks = json.at("max_ticks").get<std::uint64_t>();
+  header.seed = Number(json, "seed");
+  header.tick_us = Number(json, "tick_us");
+  header.max_ticks = Number(json, "max_ticks");
   header.build = json.at("build").get<std::string>();
   header.libm = json.at("libm").get<std::string>();
   header.layers = json.at("layers").get<std::vector<std::string>>();
@@ -68,7 +73,7 @@ std::string HeaderFromJson(std::string_view json, JournalHeader& header) {
   try {
     const Json parsed = Json::parse(json);
     if (parsed.at("format").get<std::string>() != kFormat) return "this is not a journal";
-    header.version = parsed.at("version").get<std::uint64_t>();
+    header.version = Number(parsed, "version");
     if (header.version > kJournalVersion) {
       return fmt::format(
           "the journal has version {} of the format; this program reads up to version {}",

@@ -25,21 +25,15 @@ TEST(JournalWriterTest, WritesHeaderTicksAndEnd) {
   const std::string journal = JournalOf({.seed = 3, .ticks = 2});
   JournalReader reader = ReaderOf(journal);
   const std::string first =
-      R"({"tick":0,"sensed":{"sonar":["echo(0, 3.0)"]
-},)"
-      R"("latched":[{"layer":"avoid","latch":"sonar","facts":["echo(0, 3.0)"],"version":1
-}],)"
-      R"("decisions":[{"layer":"avoid","status":"proved","conclusions":[{"port":"motion",)"
-      R"("fact":"turn(1.5)","rests_on":[0]
-}],"assumptions":[{"made":"blocked"}],)"
-      R"("inferences":7,"depth":3,"attachment_calls":1}],"commands":{"drive":["turn(1.5)"]
-}
-})";
-  EXPECT_THAT(Frames(reader),
-              ElementsAre(first, HasSubstr(R"({"tick":1,)"),
-                          R"({"end":{"outcome":"not reached","message":)"
-                          R"("the ticks of the run are used up","ticks":2,)"
-                          R"("measures":{"collisions":0}}})"));
+      R"j({"tick":0,"sensed":{"sonar":["echo(0, 3.0)"]},)j"
+      R"j("latched":[{"layer":"avoid","latch":"sonar","facts":["echo(0, 3.0)"],"version":1}],)j"
+      R"j("decisions":[{"layer":"avoid","status":"proved","conclusions":[{"port":"motion",)j"
+      R"j("fact":"turn(1.5)","rests_on":[0]}],"assumptions":[{"made":"blocked"}],)j"
+      R"j("inferences":7,"depth":3,"attachment_calls":1}],"commands":{"drive":["turn(1.5)"]}})j";
+  EXPECT_THAT(Frames(reader), ElementsAre(first, HasSubstr(R"j({"tick":1,)j"),
+                                          R"j({"end":{"outcome":"not reached","message":)j"
+                                          R"j("the ticks of the run are used up","ticks":2,)j"
+                                          R"j("measures":{"collisions":0}}})j"));
 }
 
 TEST(JournalWriterTest, HeaderReadsBack) {

@@ -25,7 +25,7 @@ class TickEncoderTest : public ::testing::Test {
 
 TEST_F(TickEncoderTest, EmptyTickIsItsNumber) {
   record_.tick = 5;
-  EXPECT_EQ(encoder_.Encode(record_), R"({"tick":5})");
+  EXPECT_EQ(encoder_.Encode(record_), R"j({"tick":5})j");
 }
 
 TEST_F(TickEncoderTest, WritesWhatWentWrong) {
@@ -35,14 +35,15 @@ TEST_F(TickEncoderTest, WritesWhatWentWrong) {
   record_.inhibited = {{0, 0}};
   record_.faults = {{0, 0, "r", schedule::FaultKind::kException, "a \"b\"\n"},
                     {0, kWorld, "w", schedule::FaultKind::kTimeout, "late"}};
-  EXPECT_EQ(encoder_.Encode(record_),
-            R"({"tick":0,"events":[{"fact":"shut"},{"fact":"open","problem":"no door"}],)"
-            R"("latched":[{"layer":"avoid","latch":"sonar","stale":true,"facts":[],"version":9}],)"
-            R"("refused":[{"layer":"avoid","latch":"sonar","fact":"bad","reason":"why"},)"
-            R"({"effector":"drive","fact":"worse","reason":""}],)"
-            R"("inhibited":[{"layer":"avoid","port":"motion"}],)"
-            R"("faults":[{"layer":"avoid","plugin":"r","kind":"exception",)"
-            R"("message":"a \"b\"\u000a"},{"plugin":"w","kind":"timeout","message":"late"}]})");
+  EXPECT_EQ(
+      encoder_.Encode(record_),
+      R"j({"tick":0,"events":[{"fact":"shut"},{"fact":"open","problem":"no door"}],)j"
+      R"j("latched":[{"layer":"avoid","latch":"sonar","stale":true,"facts":[],"version":9}],)j"
+      R"j("refused":[{"layer":"avoid","latch":"sonar","fact":"bad","reason":"why"},)j"
+      R"j({"effector":"drive","fact":"worse","reason":""}],)j"
+      R"j("inhibited":[{"layer":"avoid","port":"motion"}],)j"
+      R"j("faults":[{"layer":"avoid","plugin":"r","kind":"exception",)j"
+      R"j("message":"a \"b\"\u000a"},{"plugin":"w","kind":"timeout","message":"late"}]})j");
 }
 
 TEST_F(TickEncoderTest, WritesTheFallback) {
@@ -54,20 +55,20 @@ TEST_F(TickEncoderTest, WritesTheFallback) {
   const std::vector<sdk::Batch> said = {{true, {fake_.Fact("halt")}}};
   record_.decisions = {{0, &decision, true, said}};
   EXPECT_EQ(encoder_.Encode(record_),
-            R"({"tick":0,"decisions":[{"layer":"avoid","status":"failed","limit":"inferences",)"
-            R"("conclusions":[{"fact":"what"}],"inferences":0,"depth":0,"attachment_calls":0,)"
-            R"("message":"out of work","fallback":{"motion":["halt"]}}]})");
+            R"j({"tick":0,"decisions":[{"layer":"avoid","status":"failed","limit":"inferences",)j"
+            R"j("conclusions":[{"fact":"what"}],"inferences":0,"depth":0,"attachment_calls":0,)j"
+            R"j("message":"out of work","fallback":{"motion":["halt"]}}]})j");
 }
 
 TEST_F(TickEncoderTest, WritesCommandsThatChange) {
   std::vector<sdk::Batch> commands(1);
   record_.commands = commands;
-  EXPECT_EQ(encoder_.Encode(record_), R"({"tick":0})");
+  EXPECT_EQ(encoder_.Encode(record_), R"j({"tick":0})j");
   commands[0].facts = {fake_.Fact("halt")};
-  EXPECT_EQ(encoder_.Encode(record_), R"({"tick":0,"commands":{"drive":["halt"]}})");
-  EXPECT_EQ(encoder_.Encode(record_), R"({"tick":0})");
+  EXPECT_EQ(encoder_.Encode(record_), R"j({"tick":0,"commands":{"drive":["halt"]}})j");
+  EXPECT_EQ(encoder_.Encode(record_), R"j({"tick":0})j");
   commands[0].facts.clear();
-  EXPECT_EQ(encoder_.Encode(record_), R"({"tick":0,"commands":{"drive":[]}})");
+  EXPECT_EQ(encoder_.Encode(record_), R"j({"tick":0,"commands":{"drive":[]}})j");
 }
 
 TEST_F(TickEncoderTest, AnyBytesGiveJson) {
@@ -89,8 +90,8 @@ TEST_F(TickEncoderTest, MeasuresAreExactNumbersOrNull) {
   result.ticks = 12;
   result.measures = {{"a", 0.1}, {"b", NAN}, {"c", std::numeric_limits<double>::infinity()}};
   EXPECT_EQ(encoder_.EncodeEnd(result),
-            R"({"end":{"outcome":"reached","message":"there","ticks":12,)"
-            R"("measures":{"a":0.1,"b":null,"c":null}}})");
+            R"j({"end":{"outcome":"reached","message":"there","ticks":12,)j"
+            R"j("measures":{"a":0.1,"b":null,"c":null}}})j");
 }
 
 }  // namespace
