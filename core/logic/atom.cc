@@ -28,8 +28,8 @@ bool operator==(const Atom& a, const Atom& b) {
 }
 
 std::strong_ordering operator<=>(const Atom& a, const Atom& b) {
-  if (const auto by_name = a.predicate_ <=> b.predicate_; by_name != 0) return by_name;
-  if (const auto by_arity = a.arity_ <=> b.arity_; by_arity != 0) return by_arity;
+  if (const auto by_name = a.predicate_ <=> b.predicate_; std::is_neq(by_name)) return by_name;
+  if (const auto by_arity = a.arity_ <=> b.arity_; std::is_neq(by_arity)) return by_arity;
   const auto x = a.arguments();
   const auto y = b.arguments();
   return std::lexicographical_compare_three_way(x.begin(), x.end(), y.begin(), y.end());

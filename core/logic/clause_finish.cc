@@ -31,7 +31,7 @@ bool ClauseMaker::IsTautology(const LiteralIndices& indices) const {
     const Literal& x = literals_[a];
     const Literal& y = literals_[b];
     const auto by_atom = x.atom <=> y.atom;
-    return by_atom != 0 ? by_atom < 0 : x.positive < y.positive;
+    return std::is_neq(by_atom) ? std::is_lt(by_atom) : x.positive < y.positive;
   });
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const Literal& literal = literals_[sorted[i]];

@@ -17,11 +17,9 @@ struct Term::Node {
 
   std::atomic<std::uint32_t> references{1};
   bool ground = true;
-  union {
-    Symbol function;
-    Node* next_dead;  ///< Once nobody refers to the node.
-  };
+  Symbol function;
   std::size_t count;
+  Node* next_dead = nullptr;  ///< Once nobody refers to the node.
 };
 
 namespace {
@@ -79,7 +77,7 @@ void Term::Retain() const noexcept {
 }
 
 // Nodes that nobody refers to any more wait in a list of their own, so that depth costs no stack.
-void Term::Release() noexcept {
+void Term::Release() const noexcept {
   Node* dead = nullptr;
   const auto let_go = [&dead](Node* node) {
     if (node->references.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
@@ -131,13 +129,13 @@ std::strong_ordering Term::CompareHeads(const Term& a, const Term& b) {
   }
   if (a.value_.node == b.value_.node) return std::strong_ordering::equal;
   const auto by_function = a.value_.node->function <=> b.value_.node->function;
-  return by_function != 0 ? by_function : a.value_.node->count <=> b.value_.node->count;
+  return std::is_neq(by_function) ? by_function : a.value_.node->count <=> b.value_.node->count;
 }
 
 // Heads of all arguments first, then what is inside them: still a total order, and flat terms need
 // no memory.
 std::strong_ordering operator<=>(const Term& a, const Term& b) {
-  if (const auto heads = Term::CompareHeads(a, b); heads != 0) return heads;
+  if (const auto heads = Term::CompareHeads(a, b); std::is_neq(heads)) return heads;
   if (a.kind_ != Term::Kind::kCompound || a.value_.node == b.value_.node) {
     return std::strong_ordering::equal;
   }
@@ -147,7 +145,7 @@ std::strong_ordering operator<=>(const Term& a, const Term& b) {
     for (std::size_t i = 0; i < pair.first->count; ++i) {
       const Term& x = pair.first->arguments()[i];
       const Term& y = pair.second->arguments()[i];
-      if (const auto heads = Term::CompareHeads(x, y); heads != 0) return heads;
+      if (const auto heads = Term::CompareHeads(x, y); std::is_neq(heads)) return heads;
       if (x.kind_ == Term::Kind::kCompound && x.value_.node != y.value_.node) {
         pending.emplace_back(x.value_.node, y.value_.node);
       }
@@ -158,6 +156,6 @@ std::strong_ordering operator<=>(const Term& a, const Term& b) {
   }
 }
 
-bool operator==(const Term& a, const Term& b) { return (a <=> b) == 0; }
+bool operator==(const Term& a, const Term& b) { return std::is_eq(a <=> b); }
 
 }  // namespace latchwork::logic

@@ -32,7 +32,7 @@ class Symbol {
   friend bool operator==(Symbol a, Symbol b) { return a.record_ == b.record_; }
   friend std::strong_ordering operator<=>(Symbol a, Symbol b) {
     if (a.record_ == b.record_) return std::strong_ordering::equal;
-    if (const auto by_name = a.name() <=> b.name(); by_name != 0) return by_name;
+    if (const auto by_name = a.name() <=> b.name(); std::is_neq(by_name)) return by_name;
     return a.kind() <=> b.kind();
   }
 

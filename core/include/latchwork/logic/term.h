@@ -104,7 +104,7 @@ class Term {
 
   static std::strong_ordering CompareHeads(const Term& a, const Term& b);
   void Retain() const noexcept;
-  void Release() noexcept;
+  void Release() const noexcept;
 
   Kind kind_ = Kind::kConstant;
   Value value_;
