@@ -50,7 +50,8 @@ std::vector<config::Override> ParseSettings(const std::vector<std::string>& sett
 /// The run that the header tells of, with what the command line says instead.
 RunRequest MakeRequest(const record::JournalHeader& header, const ReplayOptions& options) {
   RunRequest request;
-  request.agent_file = options.agent.empty() ? header.agent_file : options.agent;
+  request.agent_file =
+      options.agent.empty() ? std::filesystem::path(header.agent_file) : options.agent;
   if (!header.scenario.empty()) request.scenario = header.scenario;
   request.seed = header.seed;
   request.ticks = header.max_ticks;
