@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace latchwork::pttp {
 
@@ -13,7 +14,8 @@ Engine::Engine(logic::SymbolTable& symbols, const EngineOptions& options)
       functors_(arithmetic_),
       predicates_(arithmetic_, symbols.Intern("=")),
       facts_(predicates_, functors_),
-      compiler_(predicates_, functors_, symbols.Intern("=")) {
+      compiler_(predicates_, functors_, symbols.Intern("=")),
+      builder_(heap_) {
   facts_.AddSource("body");
   program_ = std::make_unique<Program>();
 }
@@ -150,11 +152,19 @@ void Engine::NoteObstacle(std::string_view what, PredicateId predicate) {
 
 logic::Atom Engine::Instance(const CompiledLiteral& literal, const Word* slots) {
   variables_.clear();
-  Unifier unifier(heap_);
+  return Instance(literal, slots, variables_);
+}
+
+logic::Atom Engine::Instance(const Node& node) const {
+  variables_.clear();
+  return Instance(node, variables_);
+}
+
+logic::Atom Engine::Instance(const CompiledLiteral& literal, const Word* slots,
+                             std::vector<Word>& variables) {
   const logic::Symbol symbol = predicates_[literal.predicate].name.symbol;
   const auto instance = [&](std::uint32_t i) {
-    return functors_.Export(unifier.Build(literal.arguments[i], const_cast<Word*>(slots)),
-                            variables_);
+    return functors_.Export(builder_.Build(literal.arguments[i], slots), variables);
   };
   if (literal.arity > logic::Atom::kInlineArguments) {
     std::vector<logic::Term> terms;
@@ -166,11 +176,10 @@ logic::Atom Engine::Instance(const CompiledLiteral& literal, const Word* slots) 
   return {symbol, std::span<const logic::Term>(terms.data(), literal.arity)};
 }
 
-logic::Atom Engine::Instance(const Node& node) const {
-  variables_.clear();
+logic::Atom Engine::Instance(const Node& node, std::vector<Word>& variables) const {
   std::vector<logic::Term> terms;
   for (std::uint32_t i = 0; i < node.literal->arity; ++i) {
-    terms.push_back(functors_.Export(node.arguments[i], variables_));
+    terms.push_back(functors_.Export(node.arguments[i], variables));
   }
   return {predicates_[node.literal->predicate].name.symbol, terms};
 }

@@ -74,6 +74,13 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
   /// The instance of a literal under the bindings of a proof. Variables left are numbered from 0.
   logic::Atom Instance(const CompiledLiteral& literal, const Word* slots);
   logic::Atom Instance(const Node& node) const;
+  /// The same with variables numbered across several literals.
+  logic::Atom Instance(const CompiledLiteral& literal, const Word* slots,
+                       std::vector<Word>& variables);
+  logic::Atom Instance(const Node& node, std::vector<Word>& variables) const;
+  logic::Term Value(Word word, std::vector<Word>& variables) const {
+    return functors_.Export(word, variables);
+  }
 
   // Oracles
   Closing Close(PredicateId predicate, std::span<const Word> arguments) override;
@@ -130,6 +137,7 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
   std::vector<AttachmentEntry> attachments_;
 
   Arena heap_;
+  Unifier builder_;
   Arena results_;
   Meter meter_;
   FailureCache failures_;

@@ -73,7 +73,8 @@ SearchEnd Machine::RunLevel(const Contrapositive& start, std::uint32_t depth, Pr
         break;
       case Selection::kProof: {
         const Activation& root = *continuation_.activation;
-        if (sink.Accept({root.slots, resting_, steps_, depth_})) return end(SearchEnd::kAccepted);
+        if (sink.Accept({root.rule, root.slots, resting_, steps_, depth_}))
+          return end(SearchEnd::kAccepted);
         forward = false;
         break;
       }

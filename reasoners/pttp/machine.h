@@ -55,6 +55,7 @@ struct Resting {
 
 /// A proof of the start goals. Valid until the sink returns.
 struct Proof {
+  const Contrapositive* start;
   const Word* slots;  ///< Variables of the start clause.
   const Resting* resting;
   const Step* steps;

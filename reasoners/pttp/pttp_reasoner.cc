@@ -12,12 +12,19 @@ namespace latchwork::pttp {
 
 std::span<const sdk::ParameterSpec> PttpReasoner::parameters() const {
   using Type = sdk::ParameterType;
-  static const std::array<sdk::ParameterSpec, 5> kTable{{
+  static const std::array<sdk::ParameterSpec, 6> kTable{{
       {.name = "unique_names",
        .type = Type::kBoolean,
        .default_value = "false",
        .unit = "",
        .help = "distinct constants, and compound terms of distinct functions, are unequal",
+       .choices = {}},
+      {.name = "equality_axioms",
+       .type = Type::kBoolean,
+       .default_value = "false",
+       .unit = "",
+       .help = "equations that clauses conclude are used everywhere; else `=` is identity after "
+               "arithmetic",
        .choices = {}},
       {.name = "cache_attachments",
        .type = Type::kBoolean,
@@ -60,6 +67,7 @@ logic::Diagnostics PttpReasoner::Load(const sdk::Body& body, const sdk::Paramete
   options.reorder = parameters.Boolean("reorder");
   options.cache_attachments = parameters.Boolean("cache_attachments");
   cache_decisions_ = parameters.Boolean("cache_decisions");
+  equality_axioms_ = parameters.Boolean("equality_axioms");
   consistency_inferences_ =
       static_cast<std::uint64_t>(parameters.Integer("consistency_inferences"));
   engine_ = std::make_unique<Engine>(symbols, options);
@@ -79,7 +87,7 @@ logic::Diagnostics PttpReasoner::Load(const sdk::Body& body, const sdk::Paramete
 }
 
 void PttpReasoner::Recompile() {
-  engine_->SetTheory(theory_->Clauses(), body_.facts);
+  engine_->SetTheory(theory_->Clauses(equality_axioms_), body_.facts);
   consistency_request_.starts.clear();
   for (const Contrapositive& start : engine_->program().negatives()) {
     const Contrapositive* const starts[] = {&start};

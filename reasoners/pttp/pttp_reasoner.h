@@ -60,6 +60,7 @@ class PttpReasoner final : public sdk::Reasoner {
   VariantTable answers_;
   std::uint64_t consistency_inferences_ = 0;
   bool cache_decisions_ = true;
+  bool equality_axioms_ = false;
 
   bool decided_ = false;  ///< `last_` stands for what is loaded now.
   bool explainable_ = false;

@@ -143,8 +143,9 @@ Diagnostics Theory::Retract(std::string_view name) {
            ""}};
 }
 
-std::vector<Clause> Theory::Clauses() const {
+std::vector<Clause> Theory::Clauses(bool equality_axioms) const {
   std::vector<Clause> clauses = clauses_;
+  if (!equality_axioms) return clauses;
   auto axioms = EqualityAxioms(clauses, body_->facts, *symbols_);
   clauses.insert(clauses.end(), std::make_move_iterator(axioms.begin()),
                  std::make_move_iterator(axioms.end()));

@@ -24,8 +24,9 @@ class Theory {
   logic::Diagnostics Tell(std::string_view text);
   logic::Diagnostics Retract(std::string_view name);
 
-  /// With equality axioms where they are needed.
-  std::vector<logic::Clause> Clauses() const;
+  /// What was read and told; with equality axioms when asked for and a clause can conclude an
+  /// equation.
+  std::vector<logic::Clause> Clauses(bool equality_axioms) const;
 
  private:
   logic::Diagnostics Add(const std::vector<logic::TptpFile>& files);

@@ -112,7 +112,7 @@ Word* Unifier::MakeSlots(std::size_t count) {
   return slots;
 }
 
-Word Unifier::Build(Word word, Word* slots) {
+Word Unifier::Build(Word word, const Word* slots) {
   if (TagOf(word) == Tag::kSlot) return Dereference(Reference(slots + NumberOf(word)));
   if (TagOf(word) != Tag::kTemplate) return word;
   Word result = 0;

@@ -38,7 +38,7 @@ class Unifier {
   /// variables. A linear head (no variable twice) needs no occurs check.
   bool UnifyHead(const Word* head, const Word* goal, std::size_t arity, Word* slots, bool linear);
   /// Copies a template, its slots replaced by the variables.
-  Word Build(Word word, Word* slots);
+  Word Build(Word word, const Word* slots);
   /// Fresh variables.
   Word* MakeSlots(std::size_t count);
 
