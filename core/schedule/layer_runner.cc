@@ -81,8 +81,9 @@ void LayerRunner::Decide() {
 
 std::optional<LayerRunner::Problem> LayerRunner::Judge(bool cancelled) const {
   if (thrown_) return Problem{FaultKind::kException, *thrown_};
-  if (cancelled)
+  if (cancelled) {
     return Problem{FaultKind::kTimeout, "cancelled: it took longer than the wall limit"};
+  }
   if (decision_.statistics.inferences > budget_.inferences) {
     return Problem{FaultKind::kOverBudget,
                    fmt::format("{} inferences were spent, {} allowed",
