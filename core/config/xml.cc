@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <optional>
 #include <utility>
 #include <xercesc/framework/MemBufInputSource.hpp>
+#include <xercesc/framework/XMLGrammarPoolImpl.hpp>
 #include <xercesc/sax2/Attributes.hpp>
 #include <xercesc/sax2/DefaultHandler.hpp>
 #include <xercesc/sax2/SAX2XMLReader.hpp>
@@ -21,6 +21,7 @@
 #include "core/config/read_bytes.h"
 #include "core/config/schema_index.h"
 #include "core/config/start_tags.h"
+#include "latchwork/config/agent.h"
 
 namespace latchwork::config {
 namespace {
@@ -195,27 +196,26 @@ xml::MemBufInputSource Source(std::string_view text, const char* name) {
   return {reinterpret_cast<const XMLByte*>(text.data()), text.size(), name};
 }
 
-Reader MakeReader(std::string_view schema) {
-  static const Runtime kRuntime;
-  Reader reader(xml::XMLReaderFactory::createXMLReader());
+void Start() { static const Runtime kRuntime; }
+
+/// `pool` holds the grammar to validate against; null: no validation.
+Reader MakeReader(xml::XMLGrammarPool* pool) {
+  Start();
+  Reader reader(
+      xml::XMLReaderFactory::createXMLReader(xml::XMLPlatformUtils::fgMemoryManager, pool));
   reader->setFeature(xml::XMLUni::fgSAX2CoreNameSpaces, true);
-  reader->setFeature(xml::XMLUni::fgSAX2CoreValidation, !schema.empty());
+  reader->setFeature(xml::XMLUni::fgSAX2CoreValidation, pool != nullptr);
   reader->setFeature(xml::XMLUni::fgXercesDynamic, false);
-  reader->setFeature(xml::XMLUni::fgXercesSchema, !schema.empty());
-  if (!schema.empty()) {
-    // Before entity resolution is disabled: afterwards this would silently load nothing.
-    const auto source = Source(schema, "schema");
-    reader->loadGrammar(source, xml::Grammar::SchemaGrammarType, true);
-    reader->setFeature(xml::XMLUni::fgXercesUseCachedGrammarInParse, true);
-  }
-  reader->setFeature(xml::XMLUni::fgXercesLoadSchema, false);
-  reader->setFeature(xml::XMLUni::fgXercesDisableDefaultEntityResolution, true);
+  reader->setFeature(xml::XMLUni::fgXercesSchema, pool != nullptr);
   return reader;
 }
 
 /// True when the text was read to its end.
-bool Parse(std::string_view text, std::string_view schema, TreeBuilder& builder) {
-  const Reader reader = MakeReader(schema);
+bool Parse(std::string_view text, xml::XMLGrammarPool* pool, TreeBuilder& builder) {
+  const Reader reader = MakeReader(pool);
+  reader->setFeature(xml::XMLUni::fgXercesUseCachedGrammarInParse, true);
+  reader->setFeature(xml::XMLUni::fgXercesLoadSchema, false);
+  reader->setFeature(xml::XMLUni::fgXercesDisableDefaultEntityResolution, true);
   reader->setContentHandler(&builder);
   reader->setErrorHandler(&builder);
   reader->setLexicalHandler(&builder);
@@ -234,6 +234,38 @@ bool Parse(std::string_view text, std::string_view schema, TreeBuilder& builder)
   return false;
 }
 
+/// A schema, ready to validate any number of texts, from any thread.
+class Grammar {
+ public:
+  explicit Grammar(std::string_view schema) {
+    Start();
+    pool_ = std::make_unique<xml::XMLGrammarPoolImpl>(xml::XMLPlatformUtils::fgMemoryManager);
+    const auto source = Source(schema, "schema");
+    // Not with entity resolution disabled: that would silently load nothing.
+    MakeReader(pool_.get())->loadGrammar(source, xml::Grammar::SchemaGrammarType, true);
+    pool_->lockPool();
+    TreeBuilder builder(schema, "schema");
+    Parse(schema, nullptr, builder);
+    index_ = IndexSchema(builder.root);
+  }
+
+  xml::XMLGrammarPool* pool() const { return pool_.get(); }
+  const SchemaIndex& index() const { return index_; }
+
+ private:
+  std::unique_ptr<xml::XMLGrammarPoolImpl> pool_;
+  SchemaIndex index_;
+};
+
+/// Null for no schema. That of agent files is made once.
+std::shared_ptr<const Grammar> MakeGrammar(std::string_view schema) {
+  if (schema.empty()) return nullptr;
+  if (schema != AgentSchema()) return std::make_shared<const Grammar>(schema);
+  Start();
+  static const auto kGrammar = std::make_shared<const Grammar>(AgentSchema());
+  return kGrammar;
+}
+
 XmlFile ReadChecked(std::string bytes, std::string_view name, std::string_view schema) {
   XmlFile file;
   file.bytes = std::move(bytes);
@@ -243,13 +275,12 @@ XmlFile ReadChecked(std::string bytes, std::string_view name, std::string_view s
   }
   std::string_view text = file.bytes;
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  const auto grammar = MakeGrammar(schema);
   TreeBuilder builder(text, name);
-  file.complete = Parse(text, schema, builder);
+  file.complete = Parse(text, grammar == nullptr ? nullptr : grammar->pool(), builder);
   file.root = std::move(builder.root);
-  if (!builder.complaints.empty()) {
-    TreeBuilder schema_builder(schema, "schema");
-    Parse(schema, "", schema_builder);
-    file.diagnostics = Explain(file.root, IndexSchema(schema_builder.root), builder.complaints);
+  if (!builder.complaints.empty() && grammar != nullptr) {
+    file.diagnostics = Explain(file.root, grammar->index(), builder.complaints);
   }
   for (auto& diagnostic : builder.diagnostics) file.diagnostics.push_back(std::move(diagnostic));
   return file;
