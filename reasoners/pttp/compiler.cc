@@ -114,8 +114,9 @@ void Compiler::Finish(Contrapositive& rule) const {
   rule.eager = 0;
   for (std::size_t i = 0; i < std::min<std::size_t>(rule.body.size(), 64); ++i) {
     const Predicates::Info& info = (*predicates_)[rule.body[i].predicate];
-    if (info.kind != PredicateKind::kOrdinary || rule.body[i].needs_ground != 0)
-      rule.eager |= Bit(i);
+    const bool computed =
+        info.kind == PredicateKind::kArithmetic || info.kind == PredicateKind::kEquality;
+    if (computed) rule.eager |= Bit(i);
   }
 }
 

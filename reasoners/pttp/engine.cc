@@ -164,7 +164,7 @@ logic::Atom Engine::Instance(const CompiledLiteral& literal, const Word* slots,
                              std::vector<Word>& variables) {
   const logic::Symbol symbol = predicates_[literal.predicate].name.symbol;
   const auto instance = [&](std::uint32_t i) {
-    return functors_.Export(builder_.Build(literal.arguments[i], slots), variables);
+    return Value(builder_.Build(literal.arguments[i], slots), variables);
   };
   if (literal.arity > logic::Atom::kInlineArguments) {
     std::vector<logic::Term> terms;

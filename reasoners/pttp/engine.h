@@ -23,6 +23,7 @@
 #include "reasoners/pttp/predicates.h"
 #include "reasoners/pttp/program.h"
 #include "reasoners/pttp/reach.h"
+#include "reasoners/pttp/term_cache.h"
 
 namespace latchwork::pttp {
 
@@ -78,8 +79,8 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
   logic::Atom Instance(const CompiledLiteral& literal, const Word* slots,
                        std::vector<Word>& variables);
   logic::Atom Instance(const Node& node, std::vector<Word>& variables) const;
-  logic::Term Value(Word word, std::vector<Word>& variables) const {
-    return functors_.Export(word, variables);
+  logic::Term Value(Word word, std::vector<Word>& variables) {
+    return terms_.Export(word, variables);
   }
 
   // Oracles
@@ -128,6 +129,7 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
   EngineOptions options_;
   logic::Arithmetic arithmetic_;
   Functors functors_;
+  TermCache terms_{functors_};
   Predicates predicates_;
   FactStore facts_;
   Compiler compiler_;

@@ -42,7 +42,7 @@ class Engine::AnswerForwarder final : public ProofSink {
     if (!found.added) return false;
     nest_.terms.clear();
     for (std::size_t i = 0; i < variables_; ++i) {
-      nest_.terms.push_back(engine_.functors_.Export(proof.slots[i], engine_.variables_));
+      nest_.terms.push_back(engine_.Value(proof.slots[i], engine_.variables_));
     }
     if (engine_.computing_ != nullptr) {
       for (const Resting* resting = proof.resting; resting != nullptr;
@@ -224,7 +224,7 @@ Computed* Engine::ComputeAnew(AttachmentEntry& entry, std::span<const Word> argu
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     kept[i] = Dereference(arguments[i]);
     if (signature.arguments[i].mode != sdk::Attachment::Mode::kIn) continue;
-    nest.terms.push_back(functors_.Export(arguments[i], variables_));
+    nest.terms.push_back(Value(arguments[i], variables_));
     kept[i] = functors_.Import(nest.terms.back(), results_);
   }
   ++attachment_calls_;

@@ -19,10 +19,10 @@ namespace latchwork::pttp {
 /// A reasoner with a theory, for tests: everything is given as text.
 class AgentMind {
  public:
-  explicit AgentMind(std::string_view theory = "") {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    file_ = std::filesystem::path(::testing::TempDir()) /
-            (std::string("pttp_") + test->test_suite_name() + "_" + test->name() + ".p");
+  explicit AgentMind(std::string_view theory = "") : AgentMind(TestName(), theory) {}
+  /// `name` keeps the files of different programs apart.
+  AgentMind(std::string_view name, std::string_view theory)
+      : file_(std::filesystem::path(::testing::TempDir()) / ("pttp_" + std::string(name) + ".p")) {
     Write(theory);
     body.language = "tptp";
     body.files.push_back(file_);
@@ -96,6 +96,11 @@ class AgentMind {
   PttpReasoner reasoner;
 
  private:
+  static std::string TestName() {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    return std::string(test->test_suite_name()) + "_" + test->name();
+  }
+
   std::filesystem::path file_;
   std::vector<sdk::Parameters::Given> given_;
   std::uint64_t version_ = 0;
