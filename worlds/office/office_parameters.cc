@@ -67,8 +67,6 @@ std::vector<ParameterSpec> OfficeParameters() {
       Number("start_spread", "0", 0.0, 5.0, "m", "by seed up to this far from the start landmark"),
       Other("start_heading", ParameterType::kText, "", "rad; empty: by seed"),
       Other("goal", ParameterType::kText, "", "a landmark to reach; empty: none, it wanders"),
-      Other("destinations", ParameterType::kBoolean, "false",
-            "name places in sight to seek, by seed, another when one is reached or after 60 s"),
       Choice("destinations", {"none", "random"},
              "places that the world names one after the other, by seed, for layers 0 and 1 alone"),
       Number("drive_for", "0", 0.0, 1e6, "s",
