@@ -25,6 +25,7 @@ class ReachFinder {
   Reach Find() {
     do {
       MarkReachable();
+      MarkMeeting();
       MarkProvable();
     } while (DropDeadRules());
     Summarize();
@@ -51,6 +52,36 @@ class ReachFinder {
     }
   }
 
+  /// Which goals can have their complement as an ancestor: not every goal that some other branch
+  /// complements.
+  void MarkMeeting() {
+    meets_.assign(count_, false);
+    for (std::uint32_t key = 0; key < count_; ++key) {
+      if (predicates_[key / 2].kind == PredicateKind::kArithmetic) continue;
+      meets_[key] = reachable_[key] && reachable_[Complement(key)] && Leads(Complement(key), key);
+    }
+  }
+
+  /// Whether a goal of the one can have a goal of the other below it.
+  bool Leads(std::uint32_t from, std::uint32_t to) const {
+    std::vector<bool> seen(count_, false);
+    std::vector<std::uint32_t> open = {from};
+    while (!open.empty()) {
+      const std::uint32_t key = open.back();
+      open.pop_back();
+      for (const Contrapositive* rule : reach_.rules[key]) {
+        for (const CompiledLiteral& literal : rule->body) {
+          const std::uint32_t next = SignedOf(literal);
+          if (next == to) return true;
+          if (seen[next]) continue;
+          seen[next] = true;
+          open.push_back(next);
+        }
+      }
+    }
+    return false;
+  }
+
   bool IsBuiltIn(std::uint32_t key) const {
     const Predicates::Info& info = predicates_[key / 2];
     const bool positive = (key & 1U) != 0;
@@ -60,7 +91,7 @@ class ReachFinder {
 
   bool IsPossible(const CompiledLiteral& literal) const {
     const std::uint32_t key = SignedOf(literal);
-    return provable_[key] || reachable_[Complement(key)];
+    return provable_[key] || meets_[key];
   }
 
   bool IsPossible(const Contrapositive& rule) const {
@@ -100,13 +131,9 @@ class ReachFinder {
   void Summarize() {
     reach_.viable = std::any_of(starts_.begin(), starts_.end(),
                                 [&](const Contrapositive* start) { return IsPossible(*start); });
-    reach_.may_reduce.assign(count_, false);
-    for (std::uint32_t key = 0; key < count_; ++key) {
-      if (!reachable_[key] || !reachable_[Complement(key)]) continue;
-      if (predicates_[key / 2].kind == PredicateKind::kArithmetic) continue;
-      reach_.may_reduce[key] = true;
-      reach_.reduction_free = false;
-    }
+    reach_.may_reduce = meets_;
+    reach_.reduction_free =
+        std::none_of(meets_.begin(), meets_.end(), [](bool meets) { return meets; });
     reach_.recursive = HasCycle();
   }
 
@@ -142,6 +169,7 @@ class ReachFinder {
   std::size_t count_;
   Reach reach_;
   std::vector<bool> reachable_;
+  std::vector<bool> meets_;  ///< By signed predicate: the complement can be an ancestor.
   std::vector<bool> provable_;
 };
 
