@@ -11,8 +11,8 @@
 %             landmark(L, K, X, Y)  adjacent(L1, L2)  elevator(E)  elevator_front(E, L, K)
 %             cab(E, C)
 %             target_landmark(L)                                         from above
-% Minimized   target_landmark, elevator_open, elevator_out_of_order, detour,
-%             same_elevator, inside
+% Minimized   target_landmark, elevator_open, elevator_out_of_order, inside, same_elevator
+% Attached    shortest_plan(N): the length of the shortest plan
 
 % --- The present situation, s0 -------------------------------------------------------------------
 
@@ -75,26 +75,25 @@ fof(same_elevator, axiom, ! [E] : same_elevator(E, E)).
 
 % --- Plans, the shortest first -------------------------------------------------------------------
 % plan(N, A, S): the shape of a situation that N actions lead to, the first of which is A. From any
-% landmark next to the target, or before an elevator that goes there, four actions are enough.
+% landmark next to the target, or before an elevator that goes there, four actions are enough; where
+% no plan is that short, the layer is silent. That no shorter plan exists is a statement about
+% proofs; the attachment shortest_plan asks for reach_in(0), reach_in(1), ... in turn.
 
 cnf(plan_1, axiom, plan(1, A, do(A, s0))).
 cnf(plan_2, axiom, plan(2, A, do(B, do(A, s0)))).
 cnf(plan_3, axiom, plan(3, A, do(C, do(B, do(A, s0))))).
 cnf(plan_4, axiom, plan(4, A, do(D, do(C, do(B, do(A, s0)))))).
 
+fof(there_already, axiom,
+    ! [T] : ( ( target_landmark(T) & curr_landmark(T) ) => reach_in(0) )).
+fof(reach_in, axiom,
+    ! [T, N, A, S] :
+      ( ( target_landmark(T) & plan(N, A, S) & robot_at(T, S) ) => reach_in(N) )).
+
 fof(first_step, axiom,
     ! [T, N, A, S] :
-      ( ( target_landmark(T) & plan(N, A, S) & ~ detour(N) & robot_at(T, S) )
+      ( ( target_landmark(T) & shortest_plan(N) & plan(N, A, S) & robot_at(T, S) )
      => first_step(A) )).
-
-% A plan is a detour where fewer actions do. Where no plan of four actions is found, the layer is
-% silent.
-fof(no_need_to_move, axiom,
-    ! [T, N] : ( ( target_landmark(T) & robot_at(T, s0) ) => detour(N) )).
-fof(detour, axiom,
-    ! [T, N, M, A, S] :
-      ( ( target_landmark(T) & plan(M, A, S) & $less(M, N) & robot_at(T, S) )
-     => detour(N) )).
 
 % --- What to do now ------------------------------------------------------------------------------
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/elevators/elevators_layer.h"
 
+#include <memory>
+
+#include "plugins/elevators/shortest_plan.h"
+
 namespace latchwork::elevators {
 namespace {
 
@@ -8,6 +12,8 @@ using sdk::ArgumentSpec;
 using sdk::ArgumentType;
 using sdk::PortSpec;
 using sdk::PredicateSpec;
+
+constexpr std::int64_t kLongestPlan = 4;  // as many as elevators.p has shapes
 
 const ArgumentSpec kLandmark{"landmark", ArgumentType::kSymbol, ""};
 const ArgumentSpec kElevator{"elevator", ArgumentType::kSymbol, ""};
@@ -94,10 +100,12 @@ sdk::Body ElevatorsLayer::MakeBody(std::string_view language, const sdk::Paramet
       body.goals.push_back(GoalOf(predicate, port, symbols));
     }
   }
-  body.minimized = {
-      {{symbols.Intern("target_landmark"), 1}, 0},       {{symbols.Intern("elevator_open"), 1}, 0},
-      {{symbols.Intern("elevator_out_of_order"), 1}, 0}, {{symbols.Intern("inside"), 1}, 0},
-      {{symbols.Intern("same_elevator"), 2}, 0},         {{symbols.Intern("detour"), 1}, 0}};
+  body.minimized = {{{symbols.Intern("target_landmark"), 1}, 0},
+                    {{symbols.Intern("elevator_open"), 1}, 0},
+                    {{symbols.Intern("elevator_out_of_order"), 1}, 0},
+                    {{symbols.Intern("inside"), 1}, 0},
+                    {{symbols.Intern("same_elevator"), 2}, 0}};
+  body.attachments = {std::make_shared<ShortestPlan>(kLongestPlan, symbols)};
   return body;
 }
 
