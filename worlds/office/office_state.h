@@ -33,6 +33,9 @@ struct OfficeState {
   explicit OfficeState(Building loaded) : building(std::move(loaded)), tracker(building) {}
   OfficeState(const OfficeState&) = delete;
   OfficeState& operator=(const OfficeState&) = delete;
+  OfficeState(OfficeState&&) = delete;
+  OfficeState& operator=(OfficeState&&) = delete;
+  ~OfficeState() = default;
 
   FloorMap& map() { return maps[static_cast<std::size_t>(floor)]; }
   Point place() const { return PointOf(vehicle->pose()); }  ///< Of the robot.

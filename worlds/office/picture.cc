@@ -68,11 +68,11 @@ class FloorPicture {
            static_cast<int>(std::lround((y - map_.origin().y) / map_.resolution() * zoom_));
   }
 
-  void Line(Point a, Point b, TColor colour, unsigned width) {
+  void Line(Point a, Point b, const TColor& colour, unsigned width) {
     image_.line(X(a.x), Y(a.y), X(b.x), Y(b.y), colour, width);
   }
 
-  void Dot(Point p, int radius, TColor colour) {
+  void Dot(Point p, int radius, const TColor& colour) {
     const int x = X(p.x);
     const int y = Y(p.y);
     for (int dy = -radius; dy <= radius; ++dy) {
@@ -81,7 +81,7 @@ class FloorPicture {
     }
   }
 
-  void Text(Point p, int dx, int dy, const std::string& text, TColor colour) {
+  void Text(Point p, int dx, int dy, const std::string& text, const TColor& colour) {
     const int width = 6 * static_cast<int>(text.size());
     const int right = static_cast<int>(image_.getWidth()) - width - 4;
     image_.textOut(std::clamp(X(p.x) + dx, 4, std::max(4, right)), Y(p.y) + dy, text, colour);
