@@ -82,7 +82,7 @@ Atom ClauseMaker::Renumber(const Atom& atom) {
   };
   std::vector<Term> arguments;
   for (const Term& term : atom.arguments()) arguments.push_back(*RebuildTerm(term, replace, join));
-  return Atom(atom.predicate(), arguments);
+  return {atom.predicate(), arguments};
 }
 
 std::vector<std::string> ClauseMaker::Names() const {

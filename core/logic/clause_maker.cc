@@ -22,8 +22,9 @@ ClauseMaker::ClauseMaker(const NormalTree& tree, const FreeVariableTable* free,
                          WorkMeter& work)
     : tree_(tree), free_(free), variable_names_(variable_names), symbols_(symbols), work_(work) {}
 
-void ClauseMaker::Make(std::vector<Signed> disjunction, const std::vector<Variable>& variables,
-                       const Clause& pattern, std::vector<Clause>& clauses) {
+void ClauseMaker::Make(const std::vector<Signed>& disjunction,
+                       const std::vector<Variable>& variables, const Clause& pattern,
+                       std::vector<Clause>& clauses) {
   scope_.clear();
   literals_.clear();
   sources_.clear();
@@ -115,7 +116,7 @@ void ClauseMaker::BindVariables(const Item& item) {
 }
 
 Term ClauseMaker::FreshVariable(Variable source) {
-  const Term fresh = Term::Var(static_cast<Variable>(sources_.size()));
+  Term fresh = Term::Var(static_cast<Variable>(sources_.size()));
   sources_.push_back(source);
   scope_.push_back(fresh);
   if (bindings_.size() <= source) bindings_.resize(source + std::size_t{1});
@@ -179,7 +180,7 @@ Atom ClauseMaker::Substitute(const Atom& atom) {
     return Term::Compound(symbol, std::move(rebuilt));
   };
   for (const Term& term : atom.arguments()) arguments.push_back(*RebuildTerm(term, replace, join));
-  return Atom(atom.predicate(), arguments);
+  return {atom.predicate(), arguments};
 }
 
 void ClauseMaker::Distribute(std::size_t first, std::size_t middle) {

@@ -43,7 +43,7 @@ class ClauseMaker {
     NormalTree::Id id = 0;
     bool positive = true;
   };
-  void Make(std::vector<Signed> disjunction, const std::vector<Variable>& variables,
+  void Make(const std::vector<Signed>& disjunction, const std::vector<Variable>& variables,
             const Clause& pattern, std::vector<Clause>& clauses);
 
  private:

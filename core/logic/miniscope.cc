@@ -35,10 +35,11 @@ std::vector<Variable> FreeOf(const Node& node, const FreeVariableTable& table) {
 std::optional<FreeVariableTable> MakeTable(const NormalTree& tree) {
   FreeVariableTable table(tree.nodes.size());
   std::vector<Id> order = tree.Below(tree.root);
+  std::reverse(order.begin(), order.end());
   std::size_t total = 0;
-  for (auto id = order.rbegin(); id != order.rend(); ++id) {
-    table[*id] = FreeOf(tree.nodes[*id], table);
-    total += table[*id].size();
+  for (const Id id : order) {
+    table[id] = FreeOf(tree.nodes[id], table);
+    total += table[id].size();
     if (total > kMostFreeVariables) return std::nullopt;
   }
   return table;
@@ -50,8 +51,9 @@ class Miniscoper {
 
   void Run() {
     std::vector<Id> order = tree_.Below(tree_.root);
-    for (auto id = order.rbegin(); id != order.rend(); ++id) {
-      if (IsQuantifier(tree_.nodes[*id].kind)) Release(*id);
+    std::reverse(order.begin(), order.end());
+    for (const Id id : order) {
+      if (IsQuantifier(tree_.nodes[id].kind)) Release(id);
     }
   }
 

@@ -38,14 +38,15 @@ class Namer {
       : tree_(tree), free_(free), limit_(static_cast<double>(limit)), symbols_(symbols) {}
 
   std::vector<SubformulaName> Run() {
-    const std::vector<Id> order = tree_.Below(tree_.root);
+    std::vector<Id> order = tree_.Below(tree_.root);
     estimates_.resize(tree_.nodes.size());
     in_both_.resize(tree_.nodes.size());
     for (const Id id : order) {
       const bool both = in_both_[id] || tree_.nodes[id].kind == Kind::kEquivalent;
       for (const Id child : tree_.nodes[id].children) in_both_[child] = both;
     }
-    for (auto id = order.rbegin(); id != order.rend(); ++id) Visit(*id);
+    std::reverse(order.begin(), order.end());
+    for (const Id id : order) Visit(id);
     return std::move(names_);
   }
 
@@ -160,6 +161,7 @@ class Namer {
   void Name(Id id) {
     const std::vector<Variable> variables = free_ ? (*free_)[id] : tree_.FreeVariables(id);
     std::vector<Term> arguments;
+    arguments.reserve(variables.size());
     for (const Variable variable : variables) arguments.push_back(Term::Var(variable));
     const Id name = tree_.AddLiteral(Atom(symbols_.Fresh("def_"), arguments), true);
     const Id body = tree_.Add(std::move(tree_.nodes[id]));

@@ -39,7 +39,7 @@ std::string_view Print(Number number, std::array<char, 32>& buffer) {
 }
 
 void AppendNumber(std::string& text, const Term& term) {
-  std::array<char, 32> buffer;
+  std::array<char, 32> buffer{};
   if (term.kind() == Term::Kind::kInteger) {
     text += Print(term.integer(), buffer);
     return;
@@ -73,7 +73,7 @@ void AppendVariable(std::string& text, Variable variable, std::span<const std::s
     text += names[variable];
     return;
   }
-  std::array<char, 32> buffer;
+  std::array<char, 32> buffer{};
   text += 'X';
   text += Print(variable, buffer);
 }

@@ -125,8 +125,8 @@ void TptpFormulaParser::ApplyPrefixes() {
   Formula& value = values_.back();
   for (; prefixes_.size() > groups_.back().first_prefix; prefixes_.pop_back()) {
     Prefix& prefix = prefixes_.back();
-    for (auto each = prefix.variables.rbegin(); each != prefix.variables.rend(); ++each) {
-      terms_.scope().Unbind(*each);
+    for (std::size_t i = prefix.variables.size(); i-- > 0;) {
+      terms_.scope().Unbind(prefix.variables[i]);
     }
     if (prefix.kind == Formula::Kind::kNot) {
       value = Formula::Not(std::move(value));

@@ -125,8 +125,12 @@ class Reader {
     result_.formulas.erase(rest, result_.formulas.end());
     for (const std::string& name : names) {
       if (seen.contains(name)) continue;
-      return TptpIncludeFault{"included file '" + file + "' has no formula named '" + name + "'",
-                              {}};
+      std::string message = "included file '";
+      message += file;
+      message += "' has no formula named '";
+      message += name;
+      message += "'";
+      return TptpIncludeFault{std::move(message), {}};
     }
     return std::nullopt;
   }

@@ -52,7 +52,7 @@ class TptpTermParser {
  private:
   struct Open {
     Symbol function;
-    std::size_t first_argument;
+    std::size_t first_argument = 0;
     SourcePlace place;
   };
 

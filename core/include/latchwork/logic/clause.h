@@ -17,7 +17,10 @@ struct Literal {
   bool positive = true;
   Atom atom;
   friend bool operator==(const Literal&, const Literal&) = default;
-  friend std::strong_ordering operator<=>(const Literal&, const Literal&) = default;
+  friend std::strong_ordering operator<=>(const Literal& a, const Literal& b) {
+    if (a.positive != b.positive) return a.positive <=> b.positive;
+    return a.atom <=> b.atom;
+  }
 };
 
 /// The part that a formula plays for a prover. TPTP's roles fold into these three: axiom,
