@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(
              {"elevator_at(e1, 1)", "elevator_open(e1)", "inside(e1)", "elevator_out_of_order(e1)",
               "elevator_at(e2, 2)"},
              {"move_cmd(1.0, 1.0)"}}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& situation) { return situation.param.name; });
 
 }  // namespace
 }  // namespace latchwork::test
