@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <stdexcept>
 
 namespace latchwork::pttp {
 namespace {
@@ -96,6 +97,8 @@ FactTable& FactStore::TableOf(FactSource& source, PredicateId predicate, std::si
 }
 
 bool FactStore::Add(FactSource& source, const logic::Fact& fact) {
+  if (!fact.is_ground())
+    throw std::invalid_argument(ToString(fact) + " is not ground, so it is no fact");
   const PredicateId predicate = predicates_->Number(NameOf(fact));
   Word* row = TableOf(source, predicate, fact.arity()).AddRow();
   for (const logic::Term& argument : fact.arguments()) {

@@ -219,7 +219,8 @@ void Machine::Retreat(const Choice& choice) {
 }
 
 void Machine::Fail(Choice& choice) {
-  if (choice.entry != kNoEntry && !choice.proved && choice.cacheable) {
+  const bool certain = !choice.proved && choice.cacheable && !undetermined_ && !floundered_;
+  if (choice.entry != kNoEntry && certain) {
     shop_.failures->MarkFailed(choice.entry, choice.node->remaining, !choice.cut, level_);
   }
   choices_.pop_back();
