@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -44,6 +45,15 @@ class FailureCache {
     records_[entry].proved_level = level;
   }
 
+  /// After a level whose cut-off goals were all barren: what was barren in it has no proof at any
+  /// depth.
+  void Settle(std::uint64_t level) {
+    for (std::uint32_t entry = 0; entry < records_.size(); ++entry) {
+      if (IsBarren(entry, level)) records_[entry].failed_depth = kAnyDepth;
+    }
+  }
+  bool FailsAlways(std::uint32_t entry) const { return records_[entry].failed_depth == kAnyDepth; }
+
   /// Remembers that the bound cut this goal off; true for the first time in a level.
   bool MarkCut(std::uint32_t entry, std::uint64_t level) {
     return std::exchange(records_[entry].cut_level, level) != level;
@@ -57,6 +67,7 @@ class FailureCache {
   }
 
  private:
+  static constexpr std::int64_t kAnyDepth = std::numeric_limits<std::int64_t>::max();
   struct Record {
     std::int64_t failed_depth = -1;
     std::uint64_t searched_level = 0;

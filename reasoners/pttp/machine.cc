@@ -29,27 +29,31 @@ SearchEnd Machine::Search(const SearchRequest& request, ProofSink& sink) {
   const std::uint32_t deepest = std::max(1U, request.depth);
   SearchEnd end = SearchEnd::kExhausted;
   for (std::uint32_t depth = reach_->recursive ? 1 : deepest; depth <= deepest; ++depth) {
-    bool complete = true;
+    BeginLevel(depth);
     for (const Contrapositive* start : request.starts) {
-      end = RunLevel(*start, depth, sink);
+      end = RunStart(*start, sink);
       shop_.heap->Release(mark);
       if (end == SearchEnd::kAccepted || end == SearchEnd::kStopped) return end;
-      complete = complete && LevelIsComplete();
     }
-    if (complete)
-      return floundered_ || undetermined_ ? SearchEnd::kUndetermined : SearchEnd::kExhausted;
+    if (!LevelIsComplete()) continue;
+    if (floundered_ || undetermined_) return SearchEnd::kUndetermined;
+    shop_.failures->Settle(level_);
+    return SearchEnd::kExhausted;
   }
   return SearchEnd::kDepth;
 }
 
 bool Machine::LevelIsComplete() const {
+  // Without recursion no goal is deeper than the theory is high; then the bound cut nothing, here
+  // or wherever a failure was remembered.
+  if (!reach_->recursive && reach_->height < level_depth_) return true;
   return !cut_ && std::all_of(cut_goals_.begin(), cut_goals_.end(), [&](std::uint32_t entry) {
     return shop_.failures->IsBarren(entry, level_);
   });
 }
 
-SearchEnd Machine::RunLevel(const Contrapositive& start, std::uint32_t depth, ProofSink& sink) {
-  Begin(start, depth);
+SearchEnd Machine::RunStart(const Contrapositive& start, ProofSink& sink) {
+  Begin(start);
   const auto end = [&](SearchEnd result) {
     unifier_.UndoTo(0);
     return result;
@@ -128,7 +132,7 @@ bool Machine::CallOrdinary(Node& node) {
     node.ground = found.ground;
     entry = found.entry;
     if (entry != kNoEntry && shop_.failures->FailsWithin(entry, node.remaining)) {
-      NoteCut(entry);
+      if (!shop_.failures->FailsAlways(entry)) NoteCut(entry);
       return false;
     }
   } else {

@@ -167,8 +167,9 @@ class Machine {
   };
   enum class Selection : std::uint8_t { kGoal, kProof, kStuck };
 
-  SearchEnd RunLevel(const Contrapositive& start, std::uint32_t depth, ProofSink& sink);
-  void Begin(const Contrapositive& start, std::uint32_t depth);
+  SearchEnd RunStart(const Contrapositive& start, ProofSink& sink);
+  void BeginLevel(std::uint32_t depth);
+  void Begin(const Contrapositive& start);
   bool LevelIsComplete() const;
 
   // Selection of subgoals (machine_select.cc).

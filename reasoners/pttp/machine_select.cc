@@ -131,19 +131,22 @@ Machine::Selection Machine::Select() {
   }
 }
 
-void Machine::Begin(const Contrapositive& start, std::uint32_t depth) {
-  choices_.clear();
+void Machine::BeginLevel(std::uint32_t depth) {
   cut_goals_.clear();
   cut_ = false;
+  level_depth_ = depth;
+  level_ = shop_.failures->BeginLevel();
+}
+
+void Machine::Begin(const Contrapositive& start) {
+  choices_.clear();
   delayed_ = nullptr;
   resting_ = nullptr;
   steps_ = nullptr;
   depth_ = 0;
-  level_depth_ = depth;
-  level_ = shop_.failures->BeginLevel();
   Word* slots = unifier_.MakeSlots(start.slots);
   const Activation* root =
-      shop_.heap->Make(Activation{&start, slots, nullptr, Continuation{}, depth});
+      shop_.heap->Make(Activation{&start, slots, nullptr, Continuation{}, level_depth_});
   continuation_ = {root, LowBits(start.body.size()), 0};
 }
 

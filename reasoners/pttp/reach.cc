@@ -134,11 +134,12 @@ class ReachFinder {
     reach_.may_reduce = meets_;
     reach_.reduction_free =
         std::none_of(meets_.begin(), meets_.end(), [](bool meets) { return meets; });
-    reach_.recursive = HasCycle();
+    reach_.recursive = SortByHeight() < count_;
   }
 
-  /// Kahn (1962): what cannot be sorted topologically lies on or behind a cycle.
-  bool HasCycle() const {
+  /// Kahn (1962): what cannot be sorted topologically lies on or behind a cycle. Says how many
+  /// could be.
+  std::size_t SortByHeight() {
     std::vector<std::size_t> incoming(count_, 0);
     const auto for_each_edge = [&](std::uint32_t key, auto&& visit) {
       for (const Contrapositive* rule : reach_.rules[key]) {
@@ -152,16 +153,19 @@ class ReachFinder {
     for (std::uint32_t key = 0; key < count_; ++key) {
       if (incoming[key] == 0) open.push_back(key);
     }
+    std::vector<std::uint32_t> height(count_, 1);
     std::size_t sorted = 0;
     while (!open.empty()) {
       const std::uint32_t key = open.back();
       open.pop_back();
       ++sorted;
+      reach_.height = std::max(reach_.height, height[key]);
       for_each_edge(key, [&](std::uint32_t to) {
+        height[to] = std::max(height[to], height[key] + 1);
         if (--incoming[to] == 0) open.push_back(to);
       });
     }
-    return sorted < count_;
+    return sorted;
   }
 
   const Predicates& predicates_;

@@ -20,6 +20,7 @@ struct Reach {
   bool viable = true;            ///< No start goal is beyond proof.
   bool reduction_free = true;    ///< As in a Horn theory: no goal can meet its complement above it.
   bool recursive = false;        ///< A goal can lead to a goal of its own predicate.
+  std::uint32_t height = 0;      ///< Longest chain of goals below a goal; when not recursive.
   bool closing = true;           ///< Minimized predicates are closed.
 
   std::span<const Contrapositive* const> RulesFor(std::uint32_t signed_predicate) const {
