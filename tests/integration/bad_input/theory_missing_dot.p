@@ -1,0 +1,2 @@
+fof(a, axiom, p(x))
+fof(b, axiom, q(x)).

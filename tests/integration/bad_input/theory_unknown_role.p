@@ -1,0 +1,2 @@
+fof(a, axoim, p).
+fof(b, conjecure, p).
