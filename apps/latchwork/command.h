@@ -22,13 +22,14 @@ enum ExitCode : int {
 
 /// What all subcommands share. Filled by main before a subcommand's callback runs.
 struct Context {
-  std::filesystem::path executable;                   ///< Of this process, for finding plugins beside it.
+  std::filesystem::path executable;  ///< Of this process, for finding plugins beside it.
   std::vector<std::filesystem::path> plugin_folders;  ///< --plugin-path, searched first.
   int exit_code = kDone;                              ///< Set by the callback of the subcommand.
 };
 
-/// Each adds one subcommand with its options and a callback that does the work and sets `context.exit_code`. `context`
-/// outlives `app`. Results go to standard output, progress and diagnostics to standard error.
+/// Each adds one subcommand with its options and a callback that does the work and sets
+/// `context.exit_code`. `context` outlives `app`. Results go to standard output, progress and
+/// diagnostics to standard error.
 void AddRun(CLI::App& app, Context& context);
 void AddCheck(CLI::App& app, Context& context);
 void AddProve(CLI::App& app, Context& context);

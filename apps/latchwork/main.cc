@@ -18,13 +18,15 @@ namespace latchwork::app {
 namespace {
 
 constexpr std::string_view kExitCodes =
-    "Exit codes: 0 done; 1 the run ended without reaching its goal; 2 wrong usage; 3 invalid input;\n"
+    "Exit codes: 0 done; 1 the run ended without reaching its goal; 2 wrong usage; 3 invalid "
+    "input;\n"
     "4 a plugin cannot be loaded; 5 internal error; 6 replay diverged; 7 deadline missed.\n\n"
     "Start here: latchwork run examples/office/scenario1.xml --out out/scenario1\n";
 
 std::vector<std::string> SubcommandNames(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* subcommand : app.get_subcommands(nullptr)) names.push_back(subcommand->get_name());
+  for (const CLI::App* subcommand : app.get_subcommands(nullptr))
+    names.push_back(subcommand->get_name());
   return names;
 }
 
@@ -33,10 +35,12 @@ int ReportUsage(const CLI::App& app, const CLI::ParseError& error, int argc, cha
   const std::vector<std::string> names = SubcommandNames(app);
   if (argc > 1 && app.get_subcommands().empty() && argv[1][0] != '-') {
     const std::string_view nearest = logic::NearestName(argv[1], names);
-    if (!nearest.empty()) fmt::print(stderr, "  there is no command '{}'; did you mean '{}'?\n", argv[1], nearest);
+    if (!nearest.empty())
+      fmt::print(stderr, "  there is no command '{}'; did you mean '{}'?\n", argv[1], nearest);
   }
   const auto chosen = app.get_subcommands();
-  fmt::print(stderr, "  see: latchwork {}--help\n", chosen.empty() ? "" : chosen.front()->get_name() + " ");
+  fmt::print(stderr, "  see: latchwork {}--help\n",
+             chosen.empty() ? "" : chosen.front()->get_name() + " ");
   return kUsage;
 }
 
@@ -53,7 +57,8 @@ int Main(int argc, char** argv) {
   app.footer(std::string(kExitCodes));
   app.require_subcommand(1);
   app.set_version_flag("--version", "latchwork " LATCHWORK_VERSION);
-  app.add_option("--plugin-path", context.plugin_folders, "Folder to search for plugins first; may be repeated")
+  app.add_option("--plugin-path", context.plugin_folders,
+                 "Folder to search for plugins first; may be repeated")
       ->allow_extra_args(false);
   app.fallthrough();
   AddRun(app, context);

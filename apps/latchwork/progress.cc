@@ -37,8 +37,8 @@ void Progress::Update(std::uint64_t done, std::uint64_t total) {
 void Progress::Draw(Clock::time_point now, double share) {
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const double left = share > 0 ? seconds * (1 - share) / share : 0;
-  fmt::print(stderr, "{}{}: {:3.0f} %, at most {:.0f} s left{}", terminal_ ? "\r\x1b[K" : "", what_, 100 * share,
-             left, terminal_ ? "" : "\n");
+  fmt::print(stderr, "{}{}: {:3.0f} %, at most {:.0f} s left{}", terminal_ ? "\r\x1b[K" : "", what_,
+             100 * share, left, terminal_ ? "" : "\n");
   std::fflush(stderr);
   drawn_ = true;
 }

@@ -9,8 +9,9 @@
 
 namespace latchwork::app {
 
-/// Tells a person on standard error how far long work has come: a line that is redrawn on a terminal, a line every ten
-/// seconds elsewhere. Silent when quiet, and for work that ends within half a second. Thread rule: one thread.
+/// Tells a person on standard error how far long work has come: a line that is redrawn on a
+/// terminal, a line every ten seconds elsewhere. Silent when quiet, and for work that ends within
+/// half a second. Thread rule: one thread.
 class Progress {
  public:
   Progress(std::string_view what, bool quiet);

@@ -49,8 +49,9 @@ int RefuseInput(const ProveSettings& settings, const logic::TptpFile& input) {
 void PrintAnswers(const ProveSettings& settings, const pttp::ProverResult& result) {
   if (result.answers.empty()) return;
   std::vector<std::string> tuples;
-  for (const auto& tuple : result.answers)
+  for (const auto& tuple : result.answers) {
     tuples.push_back(fmt::format("[{}]", fmt::join(tuple, ",")));
+  }
   const std::string one = fmt::format("{}", fmt::join(tuples, "|"));
   fmt::print("% SZS answers Tuple [{}|_] for {}\n", tuples.size() == 1 ? one : "(" + one + ")",
              settings.file);
@@ -60,8 +61,9 @@ void PrintResult(const ProveSettings& settings, const pttp::ProverResult& result
   const bool proved =
       result.status == pttp::Szs::kTheorem || result.status == pttp::Szs::kUnsatisfiable;
   fmt::print("% SZS status {} for {}\n", Name(result.status), settings.file);
-  if (!result.message.empty() && result.status == pttp::Szs::kGaveUp)
+  if (!result.message.empty() && result.status == pttp::Szs::kGaveUp) {
     fmt::print("% {}\n", result.message);
+  }
   if (settings.answers && proved) PrintAnswers(settings, result);
   if (settings.proof && proved) {
     fmt::print("% SZS output start Proof for {}\n", settings.file);

@@ -68,12 +68,15 @@ std::vector<RunRequest> MakeRequests(const RunOptions& options) {
   if (!options.scenario.empty()) request.scenario = options.scenario;
   for (const std::string& setting : options.settings) {
     const std::optional<config::Override> parsed = ParseOverride(setting);
-    if (!parsed) throw CLI::ValidationError("--set", "'" + setting + "' is not PART.NAME=VALUE, as in world.people=4");
+    if (!parsed)
+      throw CLI::ValidationError("--set",
+                                 "'" + setting + "' is not PART.NAME=VALUE, as in world.people=4");
     request.overrides.push_back(*parsed);
   }
   auto seeds = std::optional(std::pair(options.seed, options.seed));
   if (!options.seeds.empty()) seeds = ParseSeeds(options.seeds);
-  if (!seeds) throw CLI::ValidationError("--seeds", "'" + options.seeds + "' is not FIRST-LAST, as in 1-30");
+  if (!seeds)
+    throw CLI::ValidationError("--seeds", "'" + options.seeds + "' is not FIRST-LAST, as in 1-30");
   const bool single = options.agents.size() == 1 && seeds->first == seeds->second;
   std::vector<RunRequest> requests;
   for (const std::filesystem::path& agent : options.agents) {
@@ -81,7 +84,8 @@ std::vector<RunRequest> MakeRequests(const RunOptions& options) {
       request.agent_file = agent;
       request.seed = seed;
       if (!options.out.empty()) {
-        request.out = single ? options.out : options.out / fmt::format("{}-seed{}", agent.stem().string(), seed);
+        request.out = single ? options.out
+                             : options.out / fmt::format("{}-seed{}", agent.stem().string(), seed);
       }
       requests.push_back(request);
     }
@@ -90,8 +94,8 @@ std::vector<RunRequest> MakeRequests(const RunOptions& options) {
 }
 
 /// Runs them all, `jobs` at a time; results come in the order of the requests.
-std::vector<FinishedRun> RunAll(const std::vector<RunRequest>& requests, const plugin::Registry& registry,
-                                const RunOptions& options) {
+std::vector<FinishedRun> RunAll(const std::vector<RunRequest>& requests,
+                                const plugin::Registry& registry, const RunOptions& options) {
   std::vector<FinishedRun> finished(requests.size());
   std::atomic<std::size_t> next{0};
   std::size_t done = 0;
@@ -99,9 +103,10 @@ std::vector<FinishedRun> RunAll(const std::vector<RunRequest>& requests, const p
   Progress progress(requests.size() == 1 ? "run" : "runs", options.quiet);
   const auto work = [&] {
     for (std::size_t i = next++; i < requests.size(); i = next++) {
-      FinishedRun run = RunAgent(requests[i], registry, [&](std::uint64_t tick, std::uint64_t total) {
-        if (requests.size() == 1) progress.Update(tick, total);
-      });
+      FinishedRun run =
+          RunAgent(requests[i], registry, [&](std::uint64_t tick, std::uint64_t total) {
+            if (requests.size() == 1) progress.Update(tick, total);
+          });
       const std::scoped_lock lock(mutex);
       finished[i] = std::move(run);
       if (requests.size() > 1) progress.Update(++done, requests.size());
@@ -116,15 +121,17 @@ std::vector<FinishedRun> RunAll(const std::vector<RunRequest>& requests, const p
 
 /// The gravest exit code: what could not run comes before what ran and did not reach its goal.
 int ExitCodeOf(const std::vector<FinishedRun>& runs) {
-  return std::max_element(runs.begin(), runs.end(), [](const FinishedRun& a, const FinishedRun& b) {
-           return a.exit_code < b.exit_code;
-         })->exit_code;
+  return std::max_element(
+             runs.begin(), runs.end(),
+             [](const FinishedRun& a, const FinishedRun& b) { return a.exit_code < b.exit_code; })
+      ->exit_code;
 }
 
 void PrintErrors(const std::vector<FinishedRun>& runs) {
   std::vector<std::string> told;
   for (const FinishedRun& run : runs) {
-    if (run.errors.empty() || std::find(told.begin(), told.end(), run.errors) != told.end()) continue;
+    if (run.errors.empty() || std::find(told.begin(), told.end(), run.errors) != told.end())
+      continue;
     std::fputs(run.errors.c_str(), stderr);
     told.push_back(run.errors);
   }
@@ -144,14 +151,17 @@ void Print(const std::vector<FinishedRun>& runs, const RunOptions& options) {
     PrintSingle(runs.front());
   } else {
     fmt::print("{}", ScenarioTable(runs));
-    if (const std::string failures = FailureList(runs); !failures.empty()) fmt::print("\n{}", failures);
-    if (!options.out.empty()) fmt::print("journals, summaries and pictures: {}\n", options.out.string());
+    if (const std::string failures = FailureList(runs); !failures.empty())
+      fmt::print("\n{}", failures);
+    if (!options.out.empty())
+      fmt::print("journals, summaries and pictures: {}\n", options.out.string());
   }
 }
 
 void Run(const RunOptions& options, Context& context) {
   const std::vector<RunRequest> requests = MakeRequests(options);
-  const plugin::Registry registry(plugin::MakeSearchPath(context.plugin_folders, context.executable));
+  const plugin::Registry registry(
+      plugin::MakeSearchPath(context.plugin_folders, context.executable));
   const std::vector<FinishedRun> runs = RunAll(requests, registry, options);
   Print(runs, options);
   context.exit_code = ExitCodeOf(runs);
@@ -160,14 +170,22 @@ void Run(const RunOptions& options, Context& context) {
 void AddOptions(CLI::App& command, RunOptions& options) {
   command.add_option("AGENT", options.agents, "Agent file (XML); several make a table")->required();
   command.add_option("--seed", options.seed, "Of everything random in the world (default 1)");
-  command.add_option("--seeds", options.seeds, "FIRST-LAST: run every seed and print a table")->excludes("--seed");
-  command.add_option("--scenario", options.scenario, "Fragment file whose overrides and events come on top");
-  command.add_option("--ticks", options.ticks, "Stop after so many ticks instead of the agent's duration")
+  command.add_option("--seeds", options.seeds, "FIRST-LAST: run every seed and print a table")
+      ->excludes("--seed");
+  command.add_option("--scenario", options.scenario,
+                     "Fragment file whose overrides and events come on top");
+  command
+      .add_option("--ticks", options.ticks,
+                  "Stop after so many ticks instead of the agent's duration")
       ->check(CLI::PositiveNumber);
-  command.add_option("--set", options.settings, "PART.NAME=VALUE: a parameter, as in world.people=4")
+  command
+      .add_option("--set", options.settings, "PART.NAME=VALUE: a parameter, as in world.people=4")
       ->allow_extra_args(false);
-  command.add_option("--out", options.out, "Folder for the journal, the summary and a picture of every floor");
-  command.add_option("--threads", options.threads, "Threads that decide the layers of one run (same result)")
+  command.add_option("--out", options.out,
+                     "Folder for the journal, the summary and a picture of every floor");
+  command
+      .add_option("--threads", options.threads,
+                  "Threads that decide the layers of one run (same result)")
       ->check(CLI::Range(1, 64));
   command.add_option("-j,--jobs", options.jobs, "Runs at a time")->check(CLI::Range(1, 256));
   command.add_flag("--json", options.json, "Print the summary as JSON");

@@ -9,7 +9,8 @@
 
 namespace latchwork::app {
 
-/// The summary of a single run as an object, of several runs as an array of such objects, each with its agent file.
+/// The summary of a single run as an object, of several runs as an array of such objects, each with
+/// its agent file.
 std::string ToJson(const std::vector<FinishedRun>& runs);
 
 }  // namespace latchwork::app

@@ -39,8 +39,9 @@ PooledSpread PoolLayer(const std::vector<const FinishedRun*>& runs, std::size_t 
 }
 
 std::string Header() {
-  return fmt::format("{:<12} {:>7} {:>5} {:>7} | {:<11} {:<15} {:>9} {:>9} {:>11} {:>11}\n", "scenario", "reached",
-                     "coll.", "time s", "layer", "reasoner", "time us", "sd", "inferences", "sd");
+  return fmt::format("{:<12} {:>7} {:>5} {:>7} | {:<11} {:<15} {:>9} {:>9} {:>11} {:>11}\n",
+                     "scenario", "reached", "coll.", "time s", "layer", "reasoner", "time us", "sd",
+                     "inferences", "sd");
 }
 
 /// What the runs of one agent file came to, before the first of its layers.
@@ -57,14 +58,16 @@ std::string Summary(const std::vector<const FinishedRun*>& runs) {
                      fmt::format("{}/{}", reached, runs.size()), collisions, seconds);
 }
 
-std::string Rows(const std::vector<const FinishedRun*>& runs, const std::vector<schedule::LayerStatistics>& layers) {
+std::string Rows(const std::vector<const FinishedRun*>& runs,
+                 const std::vector<schedule::LayerStatistics>& layers) {
   std::string rows;
   std::string left = Summary(runs);
   for (std::size_t layer = 0; layer < layers.size(); ++layer) {
     const PooledSpread time = PoolLayer(runs, layer, true);
     const PooledSpread inferences = PoolLayer(runs, layer, false);
-    rows += fmt::format("{:<34} | {:<11} {:<15} {:>9.1f} {:>9.1f} {:>11.1f} {:>11.1f}\n", left, layers[layer].name,
-                        layers[layer].reasoner, time.mean, time.sd, inferences.mean, inferences.sd);
+    rows += fmt::format("{:<34} | {:<11} {:<15} {:>9.1f} {:>9.1f} {:>11.1f} {:>11.1f}\n", left,
+                        layers[layer].name, layers[layer].reasoner, time.mean, time.sd,
+                        inferences.mean, inferences.sd);
     left.clear();
   }
   return rows;
@@ -98,30 +101,34 @@ double Measure(const schedule::RunResult& result, std::string_view name) {
 
 std::string OutcomeText(const FinishedRun& run) {
   const schedule::RunResult& result = run.result;
-  std::string text = fmt::format("{} (seed {}): {}{}{} after {} ticks\n", run.agent_name, result.seed,
-                                 schedule::Name(result.state), result.message.empty() ? "" : ", ", result.message,
-                                 result.ticks);
-  for (const auto& [name, value] : result.measures) text += fmt::format("  {}: {:g}\n", name, value);
+  std::string text = fmt::format("{} (seed {}): {}{}{} after {} ticks\n", run.agent_name,
+                                 result.seed, schedule::Name(result.state),
+                                 result.message.empty() ? "" : ", ", result.message, result.ticks);
+  for (const auto& [name, value] : result.measures)
+    text += fmt::format("  {}: {:g}\n", name, value);
   for (const schedule::Fault& fault : run.faults) {
     const bool of_world = fault.layer == schedule::Fault::kWorld;
     text += fmt::format("  fault at tick {} in {} (plugin {}): {}: {}\n", fault.tick,
-                        of_world ? "the world" : "layer " + run.layer_names[fault.layer], fault.plugin,
-                        schedule::Name(fault.kind), fault.message);
+                        of_world ? "the world" : "layer " + run.layer_names[fault.layer],
+                        fault.plugin, schedule::Name(fault.kind), fault.message);
   }
   return text;
 }
 
 std::string LayerTable(const schedule::RunResult& result) {
-  std::string table = fmt::format("{:<12} {:<16} {:>9} | {:>8} {:>8} {:>8} {:>8} {:>8} | {:>8} {:>7} | {:>6} {:>6} {:>9} {:>7} {:>6}\n",
-                                  "layer", "reasoner", "decisions", "mean us", "sd", "p50", "p99", "max", "inf.", "sd",
-                                  "budget", "bound", "retracted", "refused", "faults");
+  std::string table = fmt::format(
+      "{:<12} {:<16} {:>9} | {:>8} {:>8} {:>8} {:>8} {:>8} | {:>8} {:>7} | {:>6} {:>6} {:>9} {:>7} "
+      "{:>6}\n",
+      "layer", "reasoner", "decisions", "mean us", "sd", "p50", "p99", "max", "inf.", "sd",
+      "budget", "bound", "retracted", "refused", "faults");
   for (const schedule::LayerStatistics& layer : result.layers) {
     const schedule::Spread& time = layer.time_us;
     table += fmt::format(
-        "{:<12} {:<16} {:>9} | {:>8.1f} {:>8.1f} {:>8.1f} {:>8.1f} {:>8.1f} | {:>8.1f} {:>7.1f} | {:>6} {:>6} {:>9} {:>7} {:>6}\n",
-        layer.name, layer.reasoner, layer.decisions, time.mean, time.sd, time.p50, time.p99, time.max,
-        layer.inferences.mean, layer.inferences.sd, layer.budget_hits, layer.assumed_by_bound, layer.retracted,
-        layer.refused, layer.faults);
+        "{:<12} {:<16} {:>9} | {:>8.1f} {:>8.1f} {:>8.1f} {:>8.1f} {:>8.1f} | {:>8.1f} {:>7.1f} | "
+        "{:>6} {:>6} {:>9} {:>7} {:>6}\n",
+        layer.name, layer.reasoner, layer.decisions, time.mean, time.sd, time.p50, time.p99,
+        time.max, layer.inferences.mean, layer.inferences.sd, layer.budget_hits,
+        layer.assumed_by_bound, layer.retracted, layer.refused, layer.faults);
   }
   return table;
 }
@@ -129,7 +136,8 @@ std::string LayerTable(const schedule::RunResult& result) {
 std::string ScenarioTable(const std::vector<FinishedRun>& runs) {
   std::string table = Header();
   for (const auto& group : ByAgent(runs)) {
-    const auto begun = std::find_if(group.begin(), group.end(), [](const FinishedRun* run) { return run->began; });
+    const auto begun =
+        std::find_if(group.begin(), group.end(), [](const FinishedRun* run) { return run->began; });
     if (begun != group.end()) table += Rows(group, (*begun)->result.layers);
   }
   return table;
@@ -139,11 +147,12 @@ std::string FailureList(const std::vector<FinishedRun>& runs) {
   std::string text;
   for (const FinishedRun& run : runs) {
     if (run.exit_code == 0) continue;
-    const std::string why = !run.began ? "did not begin"
-                                       : fmt::format("{}{}{}", schedule::Name(run.result.state),
-                                                     run.result.message.empty() ? "" : ", ", run.result.message);
-    text += fmt::format("{} seed {}: {}\n  {}\n", run.request.agent_file.string(), run.request.seed, why,
-                        CommandOf(run.request));
+    const std::string why =
+        !run.began ? "did not begin"
+                   : fmt::format("{}{}{}", schedule::Name(run.result.state),
+                                 run.result.message.empty() ? "" : ", ", run.result.message);
+    text += fmt::format("{} seed {}: {}\n  {}\n", run.request.agent_file.string(), run.request.seed,
+                        why, CommandOf(run.request));
   }
   return text;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the office agent costs: a decision of layer 0, and the whole agent against the clock of its world.
+// What the office agent costs: a decision of layer 0, and the whole agent against the clock of its
+// world.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -32,9 +33,9 @@ plugin::Registry MakeRegistry() {
 
 std::optional<schedule::Agent> MakeAgent(const std::string& file, const plugin::Registry& registry,
                                          logic::SymbolTable& symbols, std::uint64_t seed) {
-  config::AgentFile read = config::ReadAgentFile(
-      std::filesystem::path(LATCHWORK_SOURCE_DIR) / "examples/office" / file,
-      schedule::MakeCatalog(registry), {}, symbols);
+  config::AgentFile read =
+      config::ReadAgentFile(std::filesystem::path(LATCHWORK_SOURCE_DIR) / "examples/office" / file,
+                            schedule::MakeCatalog(registry), {}, symbols);
   if (!read.agent) return std::nullopt;
   return schedule::AssembleAgent(std::move(*read.agent), schedule::MakePartFactory(registry),
                                  symbols, seed)
@@ -54,13 +55,16 @@ class SonarRing {
     latch.facts.clear();
     ++latch.version;
     for (int sonar = 0; sonar < sonars_; ++sonar) {
-      const double angle = 2 * std::numbers::pi * (sonar + 0.01 * static_cast<double>(cycle)) / sonars_;
-      const double gap = 1.2 + 0.9 * std::cos(2 * angle) + noise_.Between(-0.02, 0.02, cycle, static_cast<std::uint64_t>(sonar));
+      const double angle =
+          2 * std::numbers::pi * (sonar + 0.01 * static_cast<double>(cycle)) / sonars_;
+      const double gap = 1.2 + 0.9 * std::cos(2 * angle) +
+                         noise_.Between(-0.02, 0.02, cycle, static_cast<std::uint64_t>(sonar));
       const logic::Term number = logic::Term::Integer(sonar);
       if (noise_.Uniform(cycle, static_cast<std::uint64_t>(1000 + sonar)) < 0.02) {
         latch.facts.emplace_back(silence_, std::initializer_list<logic::Term>{number});
       } else {
-        latch.facts.emplace_back(reading_, std::initializer_list<logic::Term>{number, logic::Term::Real(gap)});
+        latch.facts.emplace_back(
+            reading_, std::initializer_list<logic::Term>{number, logic::Term::Real(gap)});
       }
     }
   }
@@ -76,9 +80,10 @@ sdk::Latch RobotLatch(int sonars, logic::SymbolTable& symbols) {
   sdk::Latch latch{"robot", {}, 1};
   latch.facts.push_back({symbols.Intern("robot_radius"), {logic::Term::Real(0.25)}});
   for (int sonar = 0; sonar < sonars; ++sonar) {
-    const double angle = std::remainder(2 * std::numbers::pi * sonar / sonars, 2 * std::numbers::pi);
-    latch.facts.push_back(
-        {symbols.Intern("sonar_direction"), {logic::Term::Integer(sonar), logic::Term::Real(angle)}});
+    const double angle =
+        std::remainder(2 * std::numbers::pi * sonar / sonars, 2 * std::numbers::pi);
+    latch.facts.push_back({symbols.Intern("sonar_direction"),
+                           {logic::Term::Integer(sonar), logic::Term::Real(angle)}});
   }
   return latch;
 }
@@ -108,7 +113,8 @@ void AvoidDecides(benchmark::State& state) {
   if (!agent) return state.SkipWithError("cannot assemble scenario1.xml");
   sdk::Reasoner& reasoner = *agent->layers[0].reasoner;
   const SonarRing ring(sonars, symbols);
-  std::vector<sdk::Latch> latches = {{"sonar", {}, 0}, RobotLatch(sonars, symbols), PushLatch(symbols)};
+  std::vector<sdk::Latch> latches = {
+      {"sonar", {}, 0}, RobotLatch(sonars, symbols), PushLatch(symbols)};
   sdk::Budget budget;
   budget.inferences = agent->description.layers[0].reasoner.inferences;
   budget.depth = agent->description.layers[0].reasoner.depth;
@@ -128,7 +134,8 @@ void AvoidDecides(benchmark::State& state) {
 }
 BENCHMARK(AvoidDecides)->Arg(16)->Arg(24)->UseManualTime()->Unit(benchmark::kMicrosecond);
 
-/// The first minute of a scenario, all four layers, world included. x_real_time: simulated over wall time.
+/// The first minute of a scenario, all four layers, world included. x_real_time: simulated over
+/// wall time.
 void OfficeAgentRuns(benchmark::State& state) {
   const std::string file = "scenario" + std::to_string(state.range(0)) + ".xml";
   const plugin::Registry registry = MakeRegistry();
@@ -150,7 +157,13 @@ void OfficeAgentRuns(benchmark::State& state) {
   }
   state.counters["x_real_time"] = simulated / wall;
 }
-BENCHMARK(OfficeAgentRuns)->Arg(1)->Arg(2)->Arg(3)->UseManualTime()->Iterations(3)->Unit(benchmark::kMillisecond);
+BENCHMARK(OfficeAgentRuns)
+    ->Arg(1)
+    ->Arg(2)
+    ->Arg(3)
+    ->UseManualTime()
+    ->Iterations(3)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace latchwork

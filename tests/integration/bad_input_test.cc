@@ -6,7 +6,8 @@
 //   exit 3
 //   missing_world.xml:2:1: error: ...
 //
-// The command runs in that folder. Every line below `exit` must stand in what it says, and it must say no other errors.
+// The command runs in that folder. Every line below `exit` must stand in what it says, and it must
+// say no other errors.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -62,7 +63,8 @@ std::vector<Case> ReadCases() {
   for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
     if (entry.path().extension() == ".expected") cases.push_back(ReadCase(entry.path()));
   }
-  std::sort(cases.begin(), cases.end(), [](const Case& a, const Case& b) { return a.name < b.name; });
+  std::sort(cases.begin(), cases.end(),
+            [](const Case& a, const Case& b) { return a.name < b.name; });
   return cases;
 }
 
@@ -91,7 +93,7 @@ TEST_P(BadInputTest, IsExplained) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, BadInputTest, ::testing::ValuesIn(ReadCases()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& named) { return named.param.name; });
 
 TEST(BadInputTest, HasAtLeastFortyCases) { EXPECT_GE(ReadCases().size(), 40U); }
 

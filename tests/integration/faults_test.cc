@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Plugins that misbehave in one way each, in a real run: the robot stops safely or goes on as declared, and the report says
-// which plugin, what and when.
+// Plugins that misbehave in one way each, in a real run: the robot stops safely or goes on as
+// declared, and the report says which plugin, what and when.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,10 +25,13 @@ const std::string kFaultPlugins = LATCHWORK_BINARY_DIR "/fault_plugins";
 /// The far scenario with another reasoner in one layer.
 std::string AgentWith(const std::string& layer, const std::string& reasoner) {
   return "<agent format=\"1\" name=\"faulty\" tick=\"100ms\" duration=\"60s\">\n"
-         "  <include file=\"" LATCHWORK_SOURCE_DIR "/examples/office/office.xml\"/>\n"
+         "  <include file=\"" LATCHWORK_SOURCE_DIR
+         "/examples/office/office.xml\"/>\n"
          "  <override part=\"world\"><param name=\"start\" value=\"r1_03\"/>"
          "<param name=\"goal\" value=\"r3_18\"/></override>\n"
-         "  <override part=\"" + layer + "\">" + reasoner + "</override>\n"
+         "  <override part=\"" +
+         layer + "\">" + reasoner +
+         "</override>\n"
          "</agent>\n";
 }
 
@@ -37,13 +40,16 @@ struct Faulty {
   nlohmann::json summary;
 };
 
-Faulty RunWith(const std::string& layer, const std::string& reasoner, const std::string& ticks = "60") {
+Faulty RunWith(const std::string& layer, const std::string& reasoner,
+               const std::string& ticks = "60") {
   const ScratchFolder folder;
   WriteText(folder.path() / "agent.xml", AgentWith(layer, reasoner));
   Faulty faulty;
-  faulty.command = RunLatchwork({"--plugin-path", kFaultPlugins, "run", "agent.xml", "--ticks", ticks, "--out", "out"},
-                                folder.path());
-  faulty.summary = nlohmann::json::parse(ReadText(folder.path() / "out/summary.json"), nullptr, false);
+  faulty.command = RunLatchwork(
+      {"--plugin-path", kFaultPlugins, "run", "agent.xml", "--ticks", ticks, "--out", "out"},
+      folder.path());
+  faulty.summary =
+      nlohmann::json::parse(ReadText(folder.path() / "out/summary.json"), nullptr, false);
   return faulty;
 }
 
@@ -56,14 +62,17 @@ void ExpectContained(const Faulty& faulty, const std::string& layer, const std::
 }
 
 TEST(FaultsTest, ThrowingReasonerOfLayer0StopsTheRobot) {
-  const Faulty faulty = RunWith("avoid", R"(<reasoner plugin="throws"><param name="from_call" value="20"/></reasoner>)");
-  ExpectContained(faulty, "avoid", "fault at tick 20 in layer avoid (plugin throws): exception: thrown on purpose");
+  const Faulty faulty = RunWith(
+      "avoid", R"(<reasoner plugin="throws"><param name="from_call" value="20"/></reasoner>)");
+  ExpectContained(faulty, "avoid",
+                  "fault at tick 20 in layer avoid (plugin throws): exception: thrown on purpose");
   EXPECT_EQ(faulty.summary.at("layers").at(0).at("faults"), 40);
 }
 
 TEST(FaultsTest, ThrownIntIsContained) {
-  ExpectContained(RunWith("seek", R"(<reasoner plugin="throws"><param name="thrown" value="int"/></reasoner>)"), "seek",
-                  "(plugin throws): exception");
+  ExpectContained(
+      RunWith("seek", R"(<reasoner plugin="throws"><param name="thrown" value="int"/></reasoner>)"),
+      "seek", "(plugin throws): exception");
 }
 
 TEST(FaultsTest, NanNeverReachesTheWheels) {
@@ -82,20 +91,25 @@ TEST(FaultsTest, InconsistencyIsAFault) {
 }
 
 TEST(FaultsTest, FactsOutsideTheContractAreAFault) {
-  ExpectContained(RunWith("seek", R"(<reasoner plugin="bad_facts"/>)"), "seek", "(plugin bad_facts): bad conclusion");
+  ExpectContained(RunWith("seek", R"(<reasoner plugin="bad_facts"/>)"), "seek",
+                  "(plugin bad_facts): bad conclusion");
 }
 
 TEST(FaultsTest, DeclaredFallbackIsSaidInsteadOfTheLayersOwn) {
-  const Faulty faulty = RunWith("avoid", R"(<reasoner plugin="throws"/><fallback><fact port="motion">turn(0.3)</fact></fallback>)");
+  const Faulty faulty = RunWith(
+      "avoid",
+      R"(<reasoner plugin="throws"/><fallback><fact port="motion">turn(0.3)</fact></fallback>)");
   ExpectContained(faulty, "avoid", "(plugin throws): exception");
 }
 
 TEST(FaultsTest, WrongAbiIsRefusedBeforeItRuns) {
   const ScratchFolder folder;
   WriteText(folder.path() / "agent.xml", AgentWith("seek", R"(<reasoner plugin="wrong_abi"/>)"));
-  const CommandResult result = RunLatchwork({"--plugin-path", kFaultPlugins, "run", "agent.xml"}, folder.path());
+  const CommandResult result =
+      RunLatchwork({"--plugin-path", kFaultPlugins, "run", "agent.xml"}, folder.path());
   EXPECT_EQ(result.exit_code, 4);
-  EXPECT_THAT(result.err, AllOf(HasSubstr("agent.xml:4:"), HasSubstr("wrong_abi.so"), HasSubstr("ABI")));
+  EXPECT_THAT(result.err,
+              AllOf(HasSubstr("agent.xml:4:"), HasSubstr("wrong_abi.so"), HasSubstr("ABI")));
 }
 
 TEST(FaultsTest, TruncatedPluginIsRefusedWithItsReason) {
@@ -104,7 +118,8 @@ TEST(FaultsTest, TruncatedPluginIsRefusedWithItsReason) {
   std::filesystem::copy_file(kFaultPlugins + "/throws.so", plugin);
   std::filesystem::resize_file(plugin, std::filesystem::file_size(plugin) / 2);
   WriteText(folder.path() / "agent.xml", AgentWith("seek", R"(<reasoner plugin="throws"/>)"));
-  const CommandResult result = RunLatchwork({"--plugin-path", folder.path().string(), "run", "agent.xml"}, folder.path());
+  const CommandResult result =
+      RunLatchwork({"--plugin-path", folder.path().string(), "run", "agent.xml"}, folder.path());
   EXPECT_EQ(result.exit_code, 4);
   EXPECT_THAT(result.err, AllOf(HasSubstr("throws"), HasSubstr("truncated")));
 }

@@ -22,7 +22,8 @@ struct Include {
   std::string name;
 };
 
-/// A part may include the parts that `sees` names, besides its own folder: parts of core, or folders.
+/// A part may include the parts that `sees` names, besides its own folder: parts of core, or
+/// folders.
 struct Part {
   std::string_view folder;
   std::string_view sees;

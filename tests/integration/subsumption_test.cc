@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Subsumption as it can be seen from outside: the real layers `avoid` and `seek` on the real prover, in a world that says
-// what the test wants to be sensed, below a scripted layer that makes claims.
+// Subsumption as it can be seen from outside: the real layers `avoid` and `seek` on the real
+// prover, in a world that says what the test wants to be sensed, below a scripted layer that makes
+// claims.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -96,9 +97,11 @@ class SubsumptionTest : public ::testing::Test {
         Port("pose", {{"curr_location", {ArgumentType::kReal, ArgumentType::kReal}},
                       {"curr_heading", {ArgumentType::kReal}}}),
         Port("destination", {{"move_cmd", {ArgumentType::kReal, ArgumentType::kReal}}})};
-    world_->shape.inputs = {
-        Port("drive", {{"fwd", {ArgumentType::kReal}}, {"turn", {ArgumentType::kReal}}, {"halt", {}}})};
-    world_->observe = [this](std::uint64_t tick, std::span<sdk::Batch> sensors) { Observe(tick, sensors); };
+    world_->shape.inputs = {Port(
+        "drive", {{"fwd", {ArgumentType::kReal}}, {"turn", {ArgumentType::kReal}}, {"halt", {}}})};
+    world_->observe = [this](std::uint64_t tick, std::span<sdk::Batch> sensors) {
+      Observe(tick, sensors);
+    };
     claims_layer_->shape.outputs = {
         Port("push", {{"object", {ArgumentType::kAny}},
                       {"distance", {ArgumentType::kAny, ArgumentType::kReal}},
@@ -127,9 +130,11 @@ class SubsumptionTest : public ::testing::Test {
   std::vector<logic::Fact> SonarFacts() {
     std::vector<logic::Fact> facts;
     for (int sonar = 0; sonar < kSonars; ++sonar) {
-      const auto gap = std::find_if(gaps_.begin(), gaps_.end(), [&](const auto& entry) { return entry.first == sonar; });
+      const auto gap = std::find_if(gaps_.begin(), gaps_.end(),
+                                    [&](const auto& entry) { return entry.first == sonar; });
       facts.push_back(gap == gaps_.end() ? Fact("no_echo", {logic::Term::Integer(sonar)})
-                                         : Fact("sonar_reading", {logic::Term::Integer(sonar), logic::Term::Real(gap->second)}));
+                                         : Fact("sonar_reading", {logic::Term::Integer(sonar),
+                                                                  logic::Term::Real(gap->second)}));
     }
     return facts;
   }
@@ -137,8 +142,10 @@ class SubsumptionTest : public ::testing::Test {
   std::vector<logic::Fact> RobotFacts() {
     std::vector<logic::Fact> facts = {Fact("robot_radius", {logic::Term::Real(0.25)})};
     for (int sonar = 0; sonar < kSonars; ++sonar) {
-      const double direction = std::remainder(2 * std::numbers::pi * sonar / kSonars, 2 * std::numbers::pi);
-      facts.push_back(Fact("sonar_direction", {logic::Term::Integer(sonar), logic::Term::Real(direction)}));
+      const double direction =
+          std::remainder(2 * std::numbers::pi * sonar / kSonars, 2 * std::numbers::pi);
+      facts.push_back(
+          Fact("sonar_direction", {logic::Term::Integer(sonar), logic::Term::Real(direction)}));
     }
     return facts;
   }
@@ -147,13 +154,16 @@ class SubsumptionTest : public ::testing::Test {
   void Claim(sdk::Decision& decision, std::string_view object, double distance, double direction) {
     decision.status = sdk::Status::kProved;
     decision.conclusions.push_back({0, Fact("object", {Name(object)}), {}});
-    decision.conclusions.push_back({1, Fact("distance", {Name(object), logic::Term::Real(distance)}), {}});
-    decision.conclusions.push_back({2, Fact("direction", {Name(object), logic::Term::Real(direction)}), {}});
+    decision.conclusions.push_back(
+        {1, Fact("distance", {Name(object), logic::Term::Real(distance)}), {}});
+    decision.conclusions.push_back(
+        {2, Fact("direction", {Name(object), logic::Term::Real(direction)}), {}});
   }
 
   /// The layer above claims something in these cycles, and nothing in others.
   void ClaimDuring(std::size_t from, std::size_t to) {
-    claims_->decide = [this, from, to](std::span<const sdk::Latch>, const sdk::Budget&, sdk::Decision& decision) {
+    claims_->decide = [this, from, to](std::span<const sdk::Latch>, const sdk::Budget&,
+                                       sdk::Decision& decision) {
       const std::size_t cycle = claims_->decide_calls - 1;
       if (cycle >= from && cycle < to) Claim(decision, "glass_door", 0.3, 0.0);
     };
@@ -163,10 +173,12 @@ class SubsumptionTest : public ::testing::Test {
   schedule::RunResult Run(std::string_view xml, std::uint64_t ticks) {
     const ScratchFolder folder;
     WriteText(folder.path() / "agent.xml", std::string(xml));
-    config::AgentFile file = config::ReadAgentFile(folder.path() / "agent.xml", Catalog(), {}, symbols_);
+    config::AgentFile file =
+        config::ReadAgentFile(folder.path() / "agent.xml", Catalog(), {}, symbols_);
     EXPECT_EQ(logic::Format(file.diagnostics), "");
     if (!file.agent) return {};
-    schedule::AssembledAgent assembled = AssembleAgent(std::move(*file.agent), Factory(), symbols_, 1);
+    schedule::AssembledAgent assembled =
+        AssembleAgent(std::move(*file.agent), Factory(), symbols_, 1);
     EXPECT_EQ(logic::Format(assembled.diagnostics), "");
     if (!assembled.agent) return {};
     schedule::LockstepOptions options;
@@ -181,7 +193,8 @@ class SubsumptionTest : public ::testing::Test {
     catalog.find = [this, find](sdk::PluginKind kind, std::string_view name,
                                 std::string& error) -> std::optional<config::PluginFacts> {
       if (name == "scripted") return config::PluginFacts{world_->shape, {}, {}, {}};
-      if (name == "claims" && kind == sdk::PluginKind::kLayer) return config::PluginFacts{claims_layer_->shape, {}, {"fake"}, {}};
+      if (name == "claims" && kind == sdk::PluginKind::kLayer)
+        return config::PluginFacts{claims_layer_->shape, {}, {"fake"}, {}};
       if (name == "claims") return config::PluginFacts{{}, {}, {"fake"}, {}};
       return find(kind, name, error);
     };
@@ -202,7 +215,9 @@ class SubsumptionTest : public ::testing::Test {
     return factory;
   }
 
-  const std::vector<std::string>& Drive(std::size_t tick) const { return world_->told.at(tick).at(0); }
+  const std::vector<std::string>& Drive(std::size_t tick) const {
+    return world_->told.at(tick).at(0);
+  }
 
   static constexpr int kSonars = 16;
   plugin::Registry registry_;
@@ -249,7 +264,8 @@ TEST_F(SubsumptionTest, DefaultIsRetractedByAHigherLayerAndRestored) {
 }
 
 TEST_F(SubsumptionTest, WhatContradictsHardFactsIsRefusedFactByFact) {
-  claims_->decide = [this](std::span<const sdk::Latch>, const sdk::Budget&, sdk::Decision& decision) {
+  claims_->decide = [this](std::span<const sdk::Latch>, const sdk::Budget&,
+                           sdk::Decision& decision) {
     Claim(decision, "honest", 1.0, 3.0);
     Claim(decision, "liar", -2.0, 0.5);
   };
@@ -264,9 +280,8 @@ TEST_F(SubsumptionTest, WhatContradictsHardFactsIsRefusedFactByFact) {
 
 TEST_F(SubsumptionTest, HaltIsNotOverridableFromAbove) {
   gaps_ = {{0, 0.05}};  // Dead ahead, at the hull.
-  claims_->decide = [this](std::span<const sdk::Latch>, const sdk::Budget&, sdk::Decision& decision) {
-    Claim(decision, "pusher", 0.3, 3.1);
-  };
+  claims_->decide = [this](std::span<const sdk::Latch>, const sdk::Budget&,
+                           sdk::Decision& decision) { Claim(decision, "pusher", 0.3, 3.1); };
   Run(kClaimsOverAvoid, 10);
   for (std::size_t tick = 1; tick < 10; ++tick) {
     EXPECT_THAT(Drive(tick), Contains("halt"));

@@ -21,19 +21,24 @@
 
 namespace latchwork::config {
 
-/// What the checker must know of a plugin. Copied, so that it does not depend on the plugin staying loaded.
+/// What the checker must know of a plugin. Copied, so that it does not depend on the plugin staying
+/// loaded.
 struct PluginFacts {
-  sdk::Contract contract;                          ///< Layers and worlds.
+  sdk::Contract contract;  ///< Layers and worlds.
   std::vector<sdk::ParameterSpec> parameters;
-  std::vector<std::string> languages;              ///< Layers: bodies it has. Reasoners: the one it reads; "" = any.
-  std::vector<sdk::PredicateSpec> events;          ///< Worlds.
+  std::vector<std::string>
+      languages;  ///< Layers: bodies it has. Reasoners: the one it reads; "" = any.
+  std::vector<sdk::PredicateSpec> events;  ///< Worlds.
 };
 
 /// Where the checker looks plugins up. Given by whoever can load them.
 struct Catalog {
   std::function<std::vector<std::string>(sdk::PluginKind)> names;
-  /// Nothing when the plugin cannot be had; then `error` says why, or stays empty when there is none of that name.
-  std::function<std::optional<PluginFacts>(sdk::PluginKind, std::string_view name, std::string& error)> find;
+  /// Nothing when the plugin cannot be had; then `error` says why, or stays empty when there is
+  /// none of that name.
+  std::function<std::optional<PluginFacts>(sdk::PluginKind, std::string_view name,
+                                           std::string& error)>
+      find;
 };
 
 struct WorldDescription {
@@ -63,8 +68,8 @@ struct LayerDescription {
   std::uint64_t latency = 0;  ///< Ticks until conclusions arrive.
   sdk::Parameters parameters;
   ReasonerDescription reasoner;
-  std::string language;                        ///< Of the body that the reasoner reads.
-  std::vector<sdk::Minimized> minimized;       ///< Replaces the body's own list when not empty.
+  std::string language;                   ///< Of the body that the reasoner reads.
+  std::vector<sdk::Minimized> minimized;  ///< Replaces the body's own list when not empty.
   std::optional<std::vector<FallbackDescription>> fallback;  ///< Nothing: the layer's own.
   logic::SourcePlace place;
 };
@@ -77,15 +82,18 @@ struct PortAddress {
   friend bool operator==(const PortAddress&, const PortAddress&) = default;
 };
 
-/// Facts that leave by `from` replace what `to` holds. Predicates that `to` does not declare stay behind.
+/// Facts that leave by `from` replace what `to` holds. Predicates that `to` does not declare stay
+/// behind.
 struct Wire {
   PortAddress from;
   PortAddress to;
-  std::optional<std::uint64_t> stale_after;  ///< Ticks without a new batch after which the latch is emptied.
+  std::optional<std::uint64_t>
+      stale_after;  ///< Ticks without a new batch after which the latch is emptied.
   logic::SourcePlace place;
 };
 
-/// While the last batch of `by` holds facts (and is not older than `hold` ticks), nothing leaves by `output`.
+/// While the last batch of `by` holds facts (and is not older than `hold` ticks), nothing leaves by
+/// `output`.
 struct Inhibition {
   PortAddress by;
   PortAddress output;
@@ -103,19 +111,20 @@ struct Event {
 struct AgentDescription {
   std::string name;
   std::filesystem::path file;
-  std::string fingerprint;         ///< Of the text of the file and all its includes (hex).
+  std::string fingerprint;  ///< Of the text of the file and all its includes (hex).
   std::uint64_t tick_us = 100'000;
   std::uint64_t max_ticks = 0;
   WorldDescription world;
   std::vector<LayerDescription> layers;  ///< Layer 0 first.
   std::vector<Wire> wires;
   std::vector<Inhibition> inhibitions;
-  std::vector<Event> events;             ///< By tick, then in file order.
+  std::vector<Event> events;  ///< By tick, then in file order.
 };
 
 /// A parameter given on the command line: `--set world.people=4`, `--set avoid.gain=2`.
 struct Override {
-  std::string part;  ///< "world", the name of a layer, or "LAYER.reasoner" (also for its inferences and depth).
+  std::string part;  ///< "world", the name of a layer, or "LAYER.reasoner" (also for its inferences
+                     ///< and depth).
   std::string name;
   std::string value;
 };
@@ -123,11 +132,13 @@ struct Override {
 struct AgentFile {
   std::optional<AgentDescription> agent;  ///< Only when `diagnostics` is empty.
   logic::Diagnostics diagnostics;
-  bool plugin_failure = false;            ///< Some plugin exists but cannot be loaded, or there is none of its name (exit code 4).
+  bool plugin_failure = false;  ///< Some plugin exists but cannot be loaded, or there is none of
+                                ///< its name (exit code 4).
 };
 
-/// Reads, validates and checks an agent file. All errors at once. `fragments` are files that come on top, as if they were
-/// included at the end of the agent. Thread rule: safe from any thread, as far as `catalog` is.
+/// Reads, validates and checks an agent file. All errors at once. `fragments` are files that come
+/// on top, as if they were included at the end of the agent. Thread rule: safe from any thread, as
+/// far as `catalog` is.
 AgentFile ReadAgentFile(const std::filesystem::path& file, const Catalog& catalog,
                         const std::vector<Override>& overrides, logic::SymbolTable& symbols,
                         const std::vector<std::filesystem::path>& fragments = {});

@@ -24,8 +24,8 @@ struct Element {
   std::string name;
   std::vector<Attribute> attributes;
   std::vector<Element> children;
-  std::string text;           ///< Character data, trimmed.
-  logic::SourcePlace place;   ///< Of the start tag.
+  std::string text;          ///< Character data, trimmed.
+  logic::SourcePlace place;  ///< Of the start tag.
 
   /// The attribute of this name, or null.
   const Attribute* Find(std::string_view attribute) const;
@@ -43,10 +43,11 @@ inline constexpr std::size_t kMaxXmlBytes = 16U << 20U;
 inline constexpr std::size_t kMaxXmlDepth = 256;
 inline constexpr std::size_t kMaxXmlElements = 20'000;
 
-/// Parses a file and validates it against a schema (Xerces-C, SAX2); an empty schema allows anything. UTF-8 only. A document type
-/// declaration is refused and nothing outside the file is ever fetched. All errors at once, each with its place; after
-/// what breaks the syntax nothing more is read. Attributes of the namespaces xmlns and xsi are left out. An element of a
-/// namespace is called {namespace}name. Thread rule: safe from any thread.
+/// Parses a file and validates it against a schema (Xerces-C, SAX2); an empty schema allows
+/// anything. UTF-8 only. A document type declaration is refused and nothing outside the file is
+/// ever fetched. All errors at once, each with its place; after what breaks the syntax nothing more
+/// is read. Attributes of the namespaces xmlns and xsi are left out. An element of a namespace is
+/// called {namespace}name. Thread rule: safe from any thread.
 XmlFile ReadXml(const std::filesystem::path& file, std::string_view schema);
 XmlFile ReadXmlText(std::string_view text, std::string_view name, std::string_view schema);
 

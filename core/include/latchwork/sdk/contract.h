@@ -12,7 +12,8 @@ namespace latchwork::sdk {
 
 enum class ArgumentType : std::uint8_t { kInteger, kReal, kSymbol, kAny };
 
-/// One argument of a predicate that crosses a boundary. kReal accepts integers too and must be finite.
+/// One argument of a predicate that crosses a boundary. kReal accepts integers too and must be
+/// finite.
 struct ArgumentSpec {
   std::string name;
   ArgumentType type = ArgumentType::kAny;
@@ -25,7 +26,8 @@ struct PredicateSpec {
   std::string help;
 };
 
-/// A group of predicates whose facts travel together as one batch. An input port has one latch, filled by one source.
+/// A group of predicates whose facts travel together as one batch. An input port has one latch,
+/// filled by one source.
 struct PortSpec {
   std::string name;
   std::vector<PredicateSpec> predicates;
@@ -34,7 +36,8 @@ struct PortSpec {
   bool uninhibitable = false;  ///< Outputs: nothing may inhibit it (a safety reflex).
 };
 
-/// Which facts go in and out. For a layer: latches and conclusions. For a world: effectors in, sensors out.
+/// Which facts go in and out. For a layer: latches and conclusions. For a world: effectors in,
+/// sensors out.
 struct Contract {
   std::vector<PortSpec> inputs;
   std::vector<PortSpec> outputs;
@@ -42,11 +45,13 @@ struct Contract {
 
 enum class ParameterType : std::uint8_t { kInteger, kReal, kBoolean, kText, kFile };
 
-/// A knob of a plugin, set by `<param name= value=>`. The one table that feeds checking, help and documentation.
+/// A knob of a plugin, set by `<param name= value=>`. The one table that feeds checking, help and
+/// documentation.
 struct ParameterSpec {
   std::string name;
   ParameterType type = ParameterType::kReal;
-  std::optional<std::string> default_value;  ///< As written in XML; nothing: the parameter must be given.
+  std::optional<std::string>
+      default_value;  ///< As written in XML; nothing: the parameter must be given.
   double minimum = -std::numeric_limits<double>::infinity();  ///< Numbers only, inclusive.
   double maximum = std::numeric_limits<double>::infinity();
   std::string unit;

@@ -15,9 +15,9 @@
 
 namespace latchwork::sdk {
 
-/// What a reasoner may spend on one decision. The logical limits decide what it does, so that runs repeat; the deadline is
-/// only set by the real-time scheduler and by tools. A reasoner polls `cancelled` and the deadline at least every
-/// millisecond of work.
+/// What a reasoner may spend on one decision. The logical limits decide what it does, so that runs
+/// repeat; the deadline is only set by the real-time scheduler and by tools. A reasoner polls
+/// `cancelled` and the deadline at least every millisecond of work.
 struct Budget {
   std::uint64_t inferences = 1'000'000;
   std::uint32_t depth = 64;
@@ -29,9 +29,10 @@ struct Budget {
 enum class Limit : std::uint8_t { kNone, kInferences, kDepth, kTime, kCancelled };
 
 enum class Status : std::uint8_t {
-  kProved,        ///< Every goal was decided, at least one was proved.
-  kRefuted,       ///< Every goal was decided, none can be proved: 'no'.
-  kUnknown,       ///< A limit ran out before a goal was decided: 'no time'. Conclusions found so far are given and sound.
+  kProved,   ///< Every goal was decided, at least one was proved.
+  kRefuted,  ///< Every goal was decided, none can be proved: 'no'.
+  kUnknown,  ///< A limit ran out before a goal was decided: 'no time'. Conclusions found so far are
+             ///< given and sound.
   kInconsistent,  ///< Body and latches contradict each other; nothing is concluded.
   kFailed,        ///< The reasoner could not work: `message` says why; nothing is concluded.
 };
@@ -50,15 +51,15 @@ struct Assumption {
 
 /// A proved instance of a goal.
 struct Conclusion {
-  std::size_t goal = 0;                   ///< Index into the goals of the body.
+  std::size_t goal = 0;  ///< Index into the goals of the body.
   logic::Fact fact;
-  std::vector<std::size_t> assumptions;   ///< What it rests on: indices into Decision::assumptions.
+  std::vector<std::size_t> assumptions;  ///< What it rests on: indices into Decision::assumptions.
 };
 
 /// Counted as the literature does: extension and reduction steps that succeed.
 struct Statistics {
   std::uint64_t inferences = 0;
-  std::uint32_t depth = 0;          ///< Of the deepest proof found.
+  std::uint32_t depth = 0;  ///< Of the deepest proof found.
   std::uint64_t attachment_calls = 0;
 };
 
@@ -76,7 +77,14 @@ struct Decision {
 
 /// A step of a derivation. Premises are indices of earlier steps.
 struct DerivationStep {
-  enum class Kind : std::uint8_t { kClause, kLatch, kAssumption, kAttachment, kArithmetic, kReduction };
+  enum class Kind : std::uint8_t {
+    kClause,
+    kLatch,
+    kAssumption,
+    kAttachment,
+    kArithmetic,
+    kReduction
+  };
   Kind kind = Kind::kClause;
   std::string conclusion;  ///< A literal in TPTP syntax.
   std::string source;      ///< Name of the clause, latch port or attachment.

@@ -22,8 +22,8 @@ struct Fallback {
   std::vector<logic::Fact> facts;
 };
 
-/// A contract and the bodies that fulfil it, one for each language. The scheduler gives the body to a reasoner and never asks the
-/// layer again, so a layer needs no state.
+/// A contract and the bodies that fulfil it, one for each language. The scheduler gives the body to
+/// a reasoner and never asks the layer again, so a layer needs no state.
 class Layer {
  public:
   virtual ~Layer() = default;
@@ -34,8 +34,8 @@ class Layer {
   virtual std::vector<std::string> languages() const = 0;
 
   /// The body in one of its languages. `data` is the folder with the plugin's files.
-  virtual Body MakeBody(std::string_view language, const Parameters& parameters, const std::filesystem::path& data,
-                        logic::SymbolTable& symbols) const = 0;
+  virtual Body MakeBody(std::string_view language, const Parameters& parameters,
+                        const std::filesystem::path& data, logic::SymbolTable& symbols) const = 0;
 
   /// Said on a fault where the agent file declares nothing else. Ports not named fall silent.
   virtual std::vector<Fallback> fallbacks(logic::SymbolTable& symbols) const {
@@ -44,8 +44,8 @@ class Layer {
   }
 };
 
-/// The parameters of a layer as facts named like them, for its body: halt_distance(0.45). Texts become constants,
-/// booleans the constants true and false.
+/// The parameters of a layer as facts named like them, for its body: halt_distance(0.45). Texts
+/// become constants, booleans the constants true and false.
 std::vector<logic::Fact> ParameterFacts(const Parameters& parameters, logic::SymbolTable& symbols);
 
 }  // namespace latchwork::sdk

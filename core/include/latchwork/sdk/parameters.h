@@ -15,8 +15,9 @@
 
 namespace latchwork::sdk {
 
-/// Checked values of a plugin's parameters, defaults filled in: every name of the plugin's table is present with its
-/// declared type, so the getters cannot fail for a declared name (they abort for an undeclared one: a programming error).
+/// Checked values of a plugin's parameters, defaults filled in: every name of the plugin's table is
+/// present with its declared type, so the getters cannot fail for a declared name (they abort for
+/// an undeclared one: a programming error).
 class Parameters {
  public:
   struct Given {
@@ -25,11 +26,13 @@ class Parameters {
     logic::SourcePlace place;
   };
 
-  /// Checks what was given against the table. Unknown names, bad values, values out of range and missing ones are
-  /// diagnostics; `owner` names the plugin in them, `owner_place` is where a missing parameter is reported. Files are
-  /// resolved against the folder of the file in which they were given. Later entries of the same name override earlier ones.
-  static Parameters Check(std::span<const ParameterSpec> table, std::span<const Given> given, std::string_view owner,
-                          const logic::SourcePlace& owner_place, logic::Diagnostics& diagnostics);
+  /// Checks what was given against the table. Unknown names, bad values, values out of range and
+  /// missing ones are diagnostics; `owner` names the plugin in them, `owner_place` is where a
+  /// missing parameter is reported. Files are resolved against the folder of the file in which they
+  /// were given. Later entries of the same name override earlier ones.
+  static Parameters Check(std::span<const ParameterSpec> table, std::span<const Given> given,
+                          std::string_view owner, const logic::SourcePlace& owner_place,
+                          logic::Diagnostics& diagnostics);
   /// All defaults; for tests and tools. Aborts when a parameter has no default.
   static Parameters Defaults(std::span<const ParameterSpec> table);
 

@@ -21,8 +21,9 @@ inline constexpr std::uint32_t kPluginMagic = 0x4c57504cU;  // "LPWL" in memory
 
 enum class PluginKind : std::uint32_t { kLayer = 1, kReasoner = 2, kWorld = 3 };
 
-/// What a plugin is and how it was built. Plain bytes without pointers, in a section of its own, so that a host can read it
-/// from the file and refuse a plugin before any of its code runs. Texts end with a zero byte.
+/// What a plugin is and how it was built. Plain bytes without pointers, in a section of its own, so
+/// that a host can read it from the file and refuse a plugin before any of its code runs. Texts end
+/// with a zero byte.
 struct PluginInfo {
   std::uint32_t magic;
   std::uint32_t size;  ///< sizeof(PluginInfo)
@@ -67,8 +68,8 @@ inline constexpr std::string_view kStandardLibrary = "other";
 #define LATCHWORK_COMPILER "gcc " __VERSION__
 #endif
 
-constexpr PluginInfo MakePluginInfo(PluginKind kind, std::string_view name, std::string_view version,
-                                    std::string_view summary) {
+constexpr PluginInfo MakePluginInfo(PluginKind kind, std::string_view name,
+                                    std::string_view version, std::string_view summary) {
   return {kPluginMagic,
           static_cast<std::uint32_t>(sizeof(PluginInfo)),
           kAbi,
@@ -95,33 +96,34 @@ constexpr PluginKind KindOf() {
   }
 }
 template <typename Class>
-using PluginBase = std::conditional_t<
-    std::is_base_of_v<Layer, Class>, Layer,
-    std::conditional_t<std::is_base_of_v<Reasoner, Class>, Reasoner, World>>;
+using PluginBase =
+    std::conditional_t<std::is_base_of_v<Layer, Class>, Layer,
+                       std::conditional_t<std::is_base_of_v<Reasoner, Class>, Reasoner, World>>;
 
 }  // namespace latchwork::sdk
 
-/// Exports `Class` (default constructible, derived from Layer, Reasoner or World) as a plugin. Once in each shared library, outside
-/// any namespace. Three C symbols are exported: the record, a create and a destroy function.
+/// Exports `Class` (default constructible, derived from Layer, Reasoner or World) as a plugin. Once
+/// in each shared library, outside any namespace. Three C symbols are exported: the record, a
+/// create and a destroy function.
 ///
 ///   LATCHWORK_PLUGIN(my::Corridor, "corridor", "1.0", "keeps to the right of a corridor")
-#define LATCHWORK_PLUGIN(Class, Name, Version, Summary)                                               \
-  extern "C" {                                                                                       \
-  __attribute__((visibility("default"))) extern const ::latchwork::sdk::PluginInfo                   \
-      latchwork_plugin_info;                                                                         \
-  __attribute__((used, section(".latchwork"))) const ::latchwork::sdk::PluginInfo                    \
-      latchwork_plugin_info = ::latchwork::sdk::MakePluginInfo(                                      \
-          ::latchwork::sdk::KindOf<Class>(), Name, Version, Summary);                                \
-  __attribute__((visibility("default"))) void* latchwork_plugin_create() noexcept {                  \
-    try {                                                                                            \
-      return static_cast<::latchwork::sdk::PluginBase<Class>*>(new Class());                         \
-    } catch (...) {                                                                                  \
-      return nullptr;                                                                                \
-    }                                                                                                \
-  }                                                                                                  \
-  __attribute__((visibility("default"))) void latchwork_plugin_destroy(void* object) noexcept {      \
-    delete static_cast<::latchwork::sdk::PluginBase<Class>*>(object);                                \
-  }                                                                                                  \
+#define LATCHWORK_PLUGIN(Class, Name, Version, Summary)                                            \
+  extern "C" {                                                                                     \
+  __attribute__((                                                                                  \
+      visibility("default"))) extern const ::latchwork::sdk::PluginInfo latchwork_plugin_info;     \
+  __attribute__((used, section(".latchwork")))                                                     \
+  const ::latchwork::sdk::PluginInfo latchwork_plugin_info =                                       \
+      ::latchwork::sdk::MakePluginInfo(::latchwork::sdk::KindOf<Class>(), Name, Version, Summary); \
+  __attribute__((visibility("default"))) void* latchwork_plugin_create() noexcept {                \
+    try {                                                                                          \
+      return static_cast<::latchwork::sdk::PluginBase<Class>*>(new Class());                       \
+    } catch (...) {                                                                                \
+      return nullptr;                                                                              \
+    }                                                                                              \
+  }                                                                                                \
+  __attribute__((visibility("default"))) void latchwork_plugin_destroy(void* object) noexcept {    \
+    delete static_cast<::latchwork::sdk::PluginBase<Class>*>(object);                              \
+  }                                                                                                \
   }
 
 #endif  // LATCHWORK_SDK_PLUGIN_H_

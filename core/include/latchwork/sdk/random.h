@@ -9,12 +9,14 @@
 
 namespace latchwork::sdk {
 
-/// Random numbers as a pure function of (seed, stream name, a, b): a counter-based generator. There is no state to
-/// share, to advance or to save, so a stream never shifts because another one was used more. By custom `a` is the tick
-/// and `b` numbers the draws within it. Thread rule: const and safe.
+/// Random numbers as a pure function of (seed, stream name, a, b): a counter-based generator. There
+/// is no state to share, to advance or to save, so a stream never shifts because another one was
+/// used more. By custom `a` is the tick and `b` numbers the draws within it. Thread rule: const and
+/// safe.
 class RandomStream {
  public:
-  RandomStream(std::uint64_t seed, std::string_view name) : key_(Mix(seed ^ 0x9e3779b97f4a7c15ULL)) {
+  RandomStream(std::uint64_t seed, std::string_view name)
+      : key_(Mix(seed ^ 0x9e3779b97f4a7c15ULL)) {
     for (const char c : name) key_ = Mix(key_ ^ static_cast<unsigned char>(c));
   }
 

@@ -25,8 +25,9 @@ struct Goal {
   enum class Answers : std::uint8_t { kFirst, kAll };
   logic::Atom pattern;
   std::size_t variables = 0;
-  Answers answers = Answers::kFirst;  ///< kFirst: the first proof in clause order. kAll: every provable instance.
-  std::size_t port = 0;               ///< The output port of the contract that its conclusions leave by.
+  Answers answers =
+      Answers::kFirst;  ///< kFirst: the first proof in clause order. kAll: every provable instance.
+  std::size_t port = 0;  ///< The output port of the contract that its conclusions leave by.
 };
 
 /// A predicate closed by circumscription: an instance that cannot be proved is assumed not to hold.
@@ -37,10 +38,10 @@ struct Minimized {
 
 /// The part of a layer that does not change from cycle to cycle, in the language of some reasoner.
 struct Body {
-  std::string language;                       ///< "tptp", "icarus", …
-  std::vector<std::filesystem::path> files;   ///< In loading order.
-  std::vector<logic::Fact> facts;             ///< Parameters of the layer as facts, e.g. halt_distance(0.45).
-  std::vector<logic::PredicateName> inputs;   ///< What the latches may hold.
+  std::string language;                      ///< "tptp", "icarus", …
+  std::vector<std::filesystem::path> files;  ///< In loading order.
+  std::vector<logic::Fact> facts;  ///< Parameters of the layer as facts, e.g. halt_distance(0.45).
+  std::vector<logic::PredicateName> inputs;  ///< What the latches may hold.
   std::vector<Goal> goals;
   std::vector<Minimized> minimized;
   std::vector<std::shared_ptr<Attachment>> attachments;
@@ -50,7 +51,8 @@ struct Body {
 struct Latch {
   std::string port;
   std::vector<logic::Fact> facts;  ///< The last batch, whole; empty when silent or stale.
-  std::uint64_t version = 0;       ///< Changes exactly when `facts` change; lets a reasoner keep what is still valid.
+  std::uint64_t version =
+      0;  ///< Changes exactly when `facts` change; lets a reasoner keep what is still valid.
 };
 
 /// A fact that must not enter a latch, with the hard axiom it offends.
@@ -61,10 +63,11 @@ struct Refusal {
 
 /// Turns (body, latches, goals, budget) into a decision; a backend.
 ///
-/// Order of calls: Load once and successfully; then Decide, Admit, Tell, Retract and Explain in any order.
-/// Thread rule: an object is used by one thread at a time; different objects share nothing but the symbol table.
-/// Determinism: with no deadline and no cancellation, Decide is a function of what was loaded and told, the latches and the
-/// budget. Exceptions that leave a member are contained by the scheduler and recorded as a fault of the layer.
+/// Order of calls: Load once and successfully; then Decide, Admit, Tell, Retract and Explain in any
+/// order. Thread rule: an object is used by one thread at a time; different objects share nothing
+/// but the symbol table. Determinism: with no deadline and no cancellation, Decide is a function of
+/// what was loaded and told, the latches and the budget. Exceptions that leave a member are
+/// contained by the scheduler and recorded as a fault of the layer.
 class Reasoner {
  public:
   virtual ~Reasoner() = default;
@@ -73,24 +76,31 @@ class Reasoner {
   virtual std::string_view language() const = 0;
   virtual std::span<const ParameterSpec> parameters() const = 0;
 
-  /// Reads and compiles the body. On diagnostics nothing is loaded. `symbols` outlives the reasoner.
-  virtual logic::Diagnostics Load(const Body& body, const Parameters& parameters, logic::SymbolTable& symbols) = 0;
+  /// Reads and compiles the body. On diagnostics nothing is loaded. `symbols` outlives the
+  /// reasoner.
+  virtual logic::Diagnostics Load(const Body& body, const Parameters& parameters,
+                                  logic::SymbolTable& symbols) = 0;
 
-  /// One cycle. `latches` come in the order of the contract's inputs. Overwrites `decision`, whose memory is reused.
+  /// One cycle. `latches` come in the order of the contract's inputs. Overwrites `decision`, whose
+  /// memory is reused.
   virtual void Decide(std::span<const Latch> latches, const Budget& budget, Decision& decision) = 0;
 
-  /// Which facts of a batch contradict the hard part of the body (that is, without its defaults) together with what the
-  /// latches hold and the facts of the batch before them. Appends to `refused`, in the order of the batch. `port` is the index of
-  /// the latch that the batch is meant for; its present content does not count. A fact whose check runs out of budget is
-  /// admitted. Source: layered soundness needs consistency with what is handed down (LSA, section 3.3).
-  virtual void Admit(std::span<const Latch> latches, std::size_t port, std::span<const logic::Fact> batch,
-                     const Budget& budget, std::vector<Refusal>& refused) = 0;
+  /// Which facts of a batch contradict the hard part of the body (that is, without its defaults)
+  /// together with what the latches hold and the facts of the batch before them. Appends to
+  /// `refused`, in the order of the batch. `port` is the index of the latch that the batch is meant
+  /// for; its present content does not count. A fact whose check runs out of budget is admitted.
+  /// Source: layered soundness needs consistency with what is handed down (LSA, section 3.3).
+  virtual void Admit(std::span<const Latch> latches, std::size_t port,
+                     std::span<const logic::Fact> batch, const Budget& budget,
+                     std::vector<Refusal>& refused) = 0;
 
-  /// Adds clauses to the body while the robot runs, or takes away those of a name. Text in the reasoner's language.
+  /// Adds clauses to the body while the robot runs, or takes away those of a name. Text in the
+  /// reasoner's language.
   virtual logic::Diagnostics Tell(std::string_view text) = 0;
   virtual logic::Diagnostics Retract(std::string_view name) = 0;
 
-  /// How a conclusion of the last decision came about; valid until the next Decide. May search again.
+  /// How a conclusion of the last decision came about; valid until the next Decide. May search
+  /// again.
   virtual Derivation Explain(std::size_t conclusion) = 0;
 };
 
