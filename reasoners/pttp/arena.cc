@@ -7,16 +7,15 @@ namespace latchwork::pttp {
 
 Word* Arena::AllocateInNextChunk(std::size_t words) {
   const std::size_t next = chunks_.empty() ? 0 : chunk_ + 1;
-  if (next >= chunks_.size() || chunks_[next].size < words) {
+  if (next >= chunks_.size() || chunks_[next].size() < words) {
     const std::size_t doubled = kFirstChunk << std::min<std::size_t>(next, 8);
     const std::size_t size = std::max(words, std::min(doubled, kLargestChunk));
-    Chunk chunk{std::make_unique_for_overwrite<Word[]>(size), size};
-    chunks_.insert(chunks_.begin() + static_cast<std::ptrdiff_t>(next), std::move(chunk));
+    chunks_.emplace(chunks_.begin() + static_cast<std::ptrdiff_t>(next), size);
     reserved_ += size;
   }
   chunk_ = next;
   used_ = words;
-  return chunks_[next].words.get();
+  return chunks_[next].data();
 }
 
 }  // namespace latchwork::pttp

@@ -3,7 +3,6 @@
 #define LATCHWORK_PTTP_ARENA_H_
 
 #include <cstddef>
-#include <memory>
 #include <new>
 #include <type_traits>
 #include <vector>
@@ -22,8 +21,8 @@ class Arena {
   };
 
   Word* Allocate(std::size_t words) {
-    if (chunk_ < chunks_.size() && used_ + words <= chunks_[chunk_].size) {
-      Word* result = chunks_[chunk_].words.get() + used_;
+    if (chunk_ < chunks_.size() && used_ + words <= chunks_[chunk_].size()) {
+      Word* result = chunks_[chunk_].data() + used_;
       used_ += words;
       return result;
     }
@@ -47,16 +46,12 @@ class Arena {
   std::size_t reserved_words() const { return reserved_; }
 
  private:
-  struct Chunk {
-    std::unique_ptr<Word[]> words;
-    std::size_t size = 0;
-  };
   static constexpr std::size_t kFirstChunk = std::size_t{1} << 10U;
   static constexpr std::size_t kLargestChunk = std::size_t{1} << 18U;
 
   Word* AllocateInNextChunk(std::size_t words);
 
-  std::vector<Chunk> chunks_;
+  std::vector<std::vector<Word>> chunks_;
   std::size_t chunk_ = 0;
   std::size_t used_ = 0;
   std::size_t reserved_ = 0;

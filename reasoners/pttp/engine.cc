@@ -36,8 +36,9 @@ void Engine::DeclareAttachment(std::shared_ptr<sdk::Attachment> attachment,
   info.kind = PredicateKind::kAttachment;
   info.attachment = static_cast<std::uint32_t>(attachments_.size());
   for (std::size_t i = 0; i < std::min<std::size_t>(arity, 64); ++i) {
-    if (signature.arguments[i].mode == sdk::Attachment::Mode::kIn)
+    if (signature.arguments[i].mode == sdk::Attachment::Mode::kIn) {
       info.inputs |= std::uint64_t{1} << i;
+    }
   }
   attachments_.push_back({std::move(attachment), {}, 0});
 }

@@ -81,8 +81,9 @@ class AxiomMaker {
     Clause clause;
     clause.name = std::move(name);
     clause.literals = std::move(literals);
-    for (std::size_t i = 0; i < variables; ++i)
+    for (std::size_t i = 0; i < variables; ++i) {
       clause.variable_names.push_back(fmt::format("X{}", i));
+    }
     return clause;
   }
 

@@ -97,8 +97,9 @@ FactTable& FactStore::TableOf(FactSource& source, PredicateId predicate, std::si
 }
 
 bool FactStore::Add(FactSource& source, const logic::Fact& fact) {
-  if (!fact.is_ground())
+  if (!fact.is_ground()) {
     throw std::invalid_argument(ToString(fact) + " is not ground, so it is no fact");
+  }
   const PredicateId predicate = predicates_->Number(NameOf(fact));
   Word* row = TableOf(source, predicate, fact.arity()).AddRow();
   for (const logic::Term& argument : fact.arguments()) {

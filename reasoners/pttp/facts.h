@@ -45,7 +45,7 @@ class FactTable {
     std::vector<std::uint32_t> first;  ///< By hash.
     std::vector<std::uint32_t> next;   ///< By row.
   };
-  void Build(std::size_t column);
+  void Build(std::size_t index);
 
   std::size_t arity_;
   std::uint32_t rows_ = 0;

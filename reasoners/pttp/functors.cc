@@ -26,7 +26,7 @@ Word RealWord(double value, Arena& arena) {
 }
 
 std::uint32_t Functors::Number(logic::Symbol symbol, std::size_t arity) {
-  const std::uint32_t fresh = static_cast<std::uint32_t>(functors_.size());
+  const auto fresh = static_cast<std::uint32_t>(functors_.size());
   std::uint32_t* place = nullptr;
   if (arity == 0) {
     if (symbol.index() >= constants_.size()) constants_.resize(symbol.index() + 1, kNone);

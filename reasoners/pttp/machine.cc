@@ -77,8 +77,9 @@ SearchEnd Machine::RunStart(const Contrapositive& start, ProofSink& sink) {
         break;
       case Selection::kProof: {
         const Activation& root = *continuation_.activation;
-        if (sink.Accept({root.rule, root.slots, resting_, steps_, depth_}))
+        if (sink.Accept({root.rule, root.slots, resting_, steps_, depth_})) {
           return end(SearchEnd::kAccepted);
+        }
         forward = false;
         break;
       }

@@ -89,8 +89,9 @@ class Engine::OutputCollector final : public sdk::AnswerSink {
   }
   void Check(const logic::Term& term) const {
     if (!term.is_ground()) Refuse("gave an output that is not ground");
-    if (term.is_number() && !std::isfinite(term.number()))
+    if (term.is_number() && !std::isfinite(term.number())) {
       Refuse("gave a number that is not finite");
+    }
   }
 
   Engine& engine_;
@@ -140,8 +141,9 @@ Closing Engine::CloseAnew(PredicateId predicate, std::span<const Word> arguments
   const std::string obstacle = obstacle_;
   const SearchEnd end = nest->request.reach->viable ? nest->machine.Search(nest->request, sink)
                                                     : SearchEnd::kExhausted;
-  if (nest->machine.floundered() && end != SearchEnd::kAccepted)
+  if (nest->machine.floundered() && end != SearchEnd::kAccepted) {
     NoteEnd(SearchEnd::kUndetermined, nest->machine);
+  }
   if (end == SearchEnd::kStopped || end == SearchEnd::kUndetermined) return {};
   if (end == SearchEnd::kAccepted) obstacle_ = obstacle;
   Closing closing;

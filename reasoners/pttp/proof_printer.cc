@@ -153,8 +153,9 @@ void ProofPrinter::AddAnswer(const Clause& clause, const Word* slots) {
     if (place == names.end()) return;
     tuple.push_back(ToString(engine_.Value(slots[place - names.begin()], variables_)));
   }
-  if (std::find(answers.begin(), answers.end(), tuple) == answers.end())
+  if (std::find(answers.begin(), answers.end(), tuple) == answers.end()) {
     answers.push_back(std::move(tuple));
+  }
 }
 
 void ProofPrinter::AddFact(const logic::Atom& fact) {
@@ -194,9 +195,11 @@ void ProofPrinter::AddStep(const Step& step) {
 void ProofPrinter::Print(const Proof& proof) {
   Instance(proof.start->clause, *proof.start, proof.slots);
   std::vector<const Step*> steps;
-  for (const Step* step = proof.steps; step != nullptr; step = step->previous)
+  for (const Step* step = proof.steps; step != nullptr; step = step->previous) {
     steps.push_back(step);
-  for (auto step = steps.rbegin(); step != steps.rend(); ++step) AddStep(**step);
+  }
+  std::reverse(steps.begin(), steps.end());
+  for (const Step* step : steps) AddStep(*step);
   lines.push_back(
       fmt::format("cnf(refutation, plain, $false, inference(resolution,[status(thm)],[{}])).",
                   fmt::join(instances_, ",")));

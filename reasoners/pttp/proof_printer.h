@@ -32,8 +32,8 @@ class ProofPrinter {
   std::string Leaf(const logic::AnnotatedFormula& formula);
   std::string NegatedConjecture(const logic::AnnotatedFormula* formula);
   std::string Parent(const logic::Clause& clause);
-  std::string ClauseLine(std::uint32_t clause);
-  void Instance(std::uint32_t clause, const Contrapositive& rule, const Word* slots);
+  std::string ClauseLine(std::uint32_t index);
+  void Instance(std::uint32_t index, const Contrapositive& rule, const Word* slots);
   void AddInstance(std::string_view literals, std::string_view source);
   void AddFact(const logic::Atom& fact);
   void AddStep(const Step& step);

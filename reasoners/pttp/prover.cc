@@ -23,8 +23,9 @@ bool HasFixedMeaning(const Term& term) {
     if (current.is_number()) return true;
     if (current.is_variable()) continue;
     const logic::Symbol symbol = current.symbol();
-    if (symbol.kind() == logic::SymbolKind::kDistinctObject || symbol.name().starts_with('$'))
+    if (symbol.kind() == logic::SymbolKind::kDistinctObject || symbol.name().starts_with('$')) {
       return true;
+    }
     for (const Term& argument : current.arguments()) visits.push_back(&argument);
   }
   return false;
@@ -83,8 +84,9 @@ std::vector<const Contrapositive*> StartClauses(const Program& program) {
   std::vector<const Contrapositive*> starts;
   for (const Contrapositive& start : program.conjectures()) starts.push_back(&start);
   for (const Contrapositive& start : program.negatives()) {
-    if (program.clauses()[start.clause].role != logic::Role::kNegatedConjecture)
+    if (program.clauses()[start.clause].role != logic::Role::kNegatedConjecture) {
       starts.push_back(&start);
+    }
   }
   return starts;
 }

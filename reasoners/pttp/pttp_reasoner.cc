@@ -12,7 +12,7 @@ namespace latchwork::pttp {
 
 std::span<const sdk::ParameterSpec> PttpReasoner::parameters() const {
   using Type = sdk::ParameterType;
-  static const std::array<sdk::ParameterSpec, 6> kTable{{
+  static const std::array<sdk::ParameterSpec, 6> table{{
       {.name = "unique_names",
        .type = Type::kBoolean,
        .default_value = "false",
@@ -54,7 +54,7 @@ std::span<const sdk::ParameterSpec> PttpReasoner::parameters() const {
            "what a cycle spends on finding that body and latches contradict each other; 0: nothing",
        .choices = {}},
   }};
-  return kTable;
+  return table;
 }
 
 logic::Diagnostics PttpReasoner::Load(const sdk::Body& body, const sdk::Parameters& parameters,
@@ -90,7 +90,7 @@ void PttpReasoner::Recompile() {
   engine_->SetTheory(theory_->Clauses(equality_axioms_), body_.facts);
   consistency_request_.starts.clear();
   for (const Contrapositive& start : engine_->program().negatives()) {
-    const Contrapositive* const starts[] = {&start};
+    const std::array<const Contrapositive*, 1> starts{&start};
     if (engine_->ReachFor(starts, false).viable) consistency_request_.starts.push_back(&start);
   }
   decided_ = explainable_ = false;
@@ -152,8 +152,9 @@ class PttpReasoner::GoalSink final : public ProofSink {
           fmt::format("{} was proved for every value, which is no fact", ToString(fact));
       return false;
     }
-    if (reasoner_.conclusions_ == decision_.conclusions.size())
+    if (reasoner_.conclusions_ == decision_.conclusions.size()) {
       decision_.conclusions.emplace_back();
+    }
     sdk::Conclusion& conclusion = decision_.conclusions[reasoner_.conclusions_++];
     conclusion.goal = goal_;
     conclusion.fact = std::move(fact);
@@ -182,8 +183,9 @@ void PttpReasoner::SolveGoal(std::size_t goal, sdk::Decision& decision) {
   GoalSink sink(*this, goal, decision);
   const SearchEnd end = engine_->Search(request_, sink);
   undecided_ = undecided_ || (end != SearchEnd::kAccepted && end != SearchEnd::kExhausted);
-  if (end == SearchEnd::kDepth && decision.limit == sdk::Limit::kNone)
+  if (end == SearchEnd::kDepth && decision.limit == sdk::Limit::kNone) {
     decision.limit = sdk::Limit::kDepth;
+  }
 }
 
 /// Learns what a contradiction rests on.
@@ -239,8 +241,9 @@ void PttpReasoner::Finish(sdk::Decision& decision) {
   decision.statistics.inferences = meter.inferences();
   decision.statistics.attachment_calls = engine_->attachment_calls();
   if (meter.stopped()) decision.limit = meter.limit();
-  if (decision.limit == sdk::Limit::kNone && engine_->bound_hit())
+  if (decision.limit == sdk::Limit::kNone && engine_->bound_hit()) {
     decision.limit = sdk::Limit::kDepth;
+  }
   if (decision.status == sdk::Status::kInconsistent) return;
   if (undecided_ || meter.stopped()) {
     decision.status = sdk::Status::kUnknown;
@@ -267,8 +270,9 @@ void PttpReasoner::Decide(std::span<const sdk::Latch> latches, const sdk::Budget
   decision.message.clear();
   decision.status = sdk::Status::kUnknown;
   if (IsConsistent(decision)) {
-    for (std::size_t i = 0; i < goals_.size() && !engine_->meter().stopped(); ++i)
+    for (std::size_t i = 0; i < goals_.size() && !engine_->meter().stopped(); ++i) {
       SolveGoal(i, decision);
+    }
   }
   Finish(decision);
   explainable_ = true;

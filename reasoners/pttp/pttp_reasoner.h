@@ -68,7 +68,6 @@ class PttpReasoner final : public sdk::Reasoner {
   sdk::Decision last_;
   std::size_t conclusions_ = 0;
   bool undecided_ = false;
-  bool found_ = false;
 };
 
 }  // namespace latchwork::pttp

@@ -25,8 +25,9 @@ class TermCache {
     if (terms_.size() >= kMostTerms) Clear();
     const auto found = keys_.Enter(0, std::span<const Word>(&word, 1));
     if (found.entry == kNoEntry) return functors_->Export(word, variables);
-    if (found.added)
+    if (found.added) {
       terms_.push_back(found.ground ? functors_->Export(word, variables) : logic::Term());
+    }
     return found.ground ? terms_[found.entry] : functors_->Export(word, variables);
   }
 

@@ -132,8 +132,9 @@ Diagnostics Theory::Tell(std::string_view text) {
 }
 
 Diagnostics Theory::Retract(std::string_view name) {
-  if (std::erase_if(clauses_, [&](const Clause& clause) { return clause.name == name; }) > 0)
+  if (std::erase_if(clauses_, [&](const Clause& clause) { return clause.name == name; }) > 0) {
     return {};
+  }
   std::vector<std::string> names;
   for (const Clause& clause : clauses_) names.push_back(clause.name);
   const auto nearest = logic::NearestName(name, names);
