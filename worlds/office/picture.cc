@@ -251,6 +251,15 @@ class FloorPicture {
   mrpt::img::CImage image_;
 };
 
+/// MRPT unpacks its fonts on first use and takes no lock; agents run side by side.
+void LoadFontsOnce() {
+  static const bool loaded = [] {
+    mrpt::img::CImage(1, 1, mrpt::img::CH_RGB).selectTextFont("6x13");
+    return true;
+  }();
+  (void)loaded;
+}
+
 }  // namespace
 
 Colour ColourOfTime(double t) {
@@ -268,6 +277,7 @@ Colour ColourOfTime(double t) {
 
 std::vector<std::filesystem::path> DrawFloors(const PictureScene& scene,
                                               const std::filesystem::path& folder) {
+  LoadFontsOnce();
   std::vector<std::filesystem::path> written;
   for (std::size_t i = 0; i < scene.building->floors.size(); ++i) {
     const auto file = folder / fmt::format("floor{}.png", scene.building->floors[i].number);
