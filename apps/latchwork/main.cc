@@ -25,8 +25,9 @@ constexpr std::string_view kExitCodes =
 
 std::vector<std::string> SubcommandNames(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* subcommand : app.get_subcommands(nullptr))
+  for (const CLI::App* subcommand : app.get_subcommands(nullptr)) {
     names.push_back(subcommand->get_name());
+  }
   return names;
 }
 
@@ -35,8 +36,9 @@ int ReportUsage(const CLI::App& app, const CLI::ParseError& error, int argc, cha
   const std::vector<std::string> names = SubcommandNames(app);
   if (argc > 1 && app.get_subcommands().empty() && argv[1][0] != '-') {
     const std::string_view nearest = logic::NearestName(argv[1], names);
-    if (!nearest.empty())
+    if (!nearest.empty()) {
       fmt::print(stderr, "  there is no command '{}'; did you mean '{}'?\n", argv[1], nearest);
+    }
   }
   const auto chosen = app.get_subcommands();
   fmt::print(stderr, "  see: latchwork {}--help\n",

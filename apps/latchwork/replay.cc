@@ -16,6 +16,7 @@
 #include "apps/latchwork/command.h"
 #include "apps/latchwork/progress.h"
 #include "apps/latchwork/run_agent.h"
+#include "apps/latchwork/settings.h"
 #include "latchwork/logic/diagnostic.h"
 #include "latchwork/logic/symbol.h"
 #include "latchwork/plugin/plugin_search.h"
@@ -33,19 +34,6 @@ struct ReplayOptions {
   unsigned threads = 1;
   bool quiet = false;
 };
-
-std::vector<config::Override> ParseSettings(const std::vector<std::string>& settings) {
-  std::vector<config::Override> overrides;
-  for (const std::string& setting : settings) {
-    std::optional<config::Override> parsed = ParseOverride(setting);
-    if (!parsed) {
-      throw CLI::ValidationError("--set",
-                                 "'" + setting + "' is not PART.NAME=VALUE, as in avoid.gain=2");
-    }
-    overrides.push_back(std::move(*parsed));
-  }
-  return overrides;
-}
 
 /// The run that the header tells of, with what the command line says instead.
 RunRequest MakeRequest(const record::JournalHeader& header, const ReplayOptions& options) {
@@ -118,7 +106,7 @@ void AddReplay(CLI::App& app, Context& context) {
       "Names the first tick, layer and field that differ (exit code 6).\n"
       "Examples:\n"
       "  latchwork replay out/far/run.journal\n"
-      "  latchwork replay out/far/run.journal --set avoid.gain=0.4");
+      "  latchwork replay out/far/run.journal --set avoid.repulsion=0.2");
   const auto options = std::make_shared<ReplayOptions>();
   command->add_option("JOURNAL", options->journal, "As written by run --out")->required();
   command->add_option("--agent", options->agent, "Agent file instead of the journal's");

@@ -23,6 +23,7 @@
 #include "apps/latchwork/run_agent.h"
 #include "apps/latchwork/run_json.h"
 #include "apps/latchwork/run_table.h"
+#include "apps/latchwork/settings.h"
 #include "latchwork/plugin/plugin_search.h"
 #include "latchwork/plugin/registry.h"
 
@@ -66,13 +67,7 @@ std::vector<RunRequest> MakeRequests(const RunOptions& options) {
   request.ticks = options.ticks;
   request.threads = options.threads;
   if (!options.scenario.empty()) request.scenario = options.scenario;
-  for (const std::string& setting : options.settings) {
-    const std::optional<config::Override> parsed = ParseOverride(setting);
-    if (!parsed)
-      throw CLI::ValidationError("--set",
-                                 "'" + setting + "' is not PART.NAME=VALUE, as in world.people=4");
-    request.overrides.push_back(*parsed);
-  }
+  request.overrides = ParseSettings(options.settings);
   auto seeds = std::optional(std::pair(options.seed, options.seed));
   if (!options.seeds.empty()) seeds = ParseSeeds(options.seeds);
   if (!seeds)
@@ -200,7 +195,8 @@ void AddRun(CLI::App& app, Context& context) {
       "Examples:\n"
       "  latchwork run examples/office/scenario3.xml --out out/far\n"
       "  latchwork run examples/office/scenario1.xml --seeds 1-30 -j 2\n"
-      "  latchwork run examples/office/scenario1.xml --set world.people=0 --set avoid.gain=0.4");
+      "  latchwork run examples/office/scenario1.xml --set world.people=0 --set "
+      "avoid.repulsion=0.2");
   const auto options = std::make_shared<RunOptions>();
   AddOptions(*command, *options);
   command->callback([options, &context] { Run(*options, context); });

@@ -159,14 +159,4 @@ std::string CommandOf(const RunRequest& request) {
   return command;
 }
 
-std::optional<config::Override> ParseOverride(std::string_view text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string_view::npos) return std::nullopt;
-  const std::size_t dot = text.substr(0, equals).rfind('.');
-  if (dot == std::string_view::npos || dot == 0 || dot + 1 == equals) return std::nullopt;
-  return config::Override{std::string(text.substr(0, dot)),
-                          std::string(text.substr(dot + 1, equals - dot - 1)),
-                          std::string(text.substr(equals + 1))};
-}
-
 }  // namespace latchwork::app

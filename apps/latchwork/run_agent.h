@@ -7,7 +7,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "latchwork/config/agent.h"
@@ -22,8 +21,8 @@ namespace latchwork::app {
 /// One run of one agent file.
 struct RunRequest {
   std::filesystem::path agent_file;
-  std::optional<std::filesystem::path>
-      scenario;  ///< A fragment whose overrides and events come on top.
+  /// A fragment whose overrides and events come on top.
+  std::optional<std::filesystem::path> scenario;
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> ticks;
   std::vector<config::Override> overrides;
@@ -58,9 +57,6 @@ FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry
 
 /// The command that repeats a run.
 std::string CommandOf(const RunRequest& request);
-
-/// "world.people=4" or "avoid.reasoner.depth=12"; nothing when it has not that shape.
-std::optional<config::Override> ParseOverride(std::string_view text);
 
 }  // namespace latchwork::app
 

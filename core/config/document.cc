@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
-#include "core/config/fingerprint.h"
+#include "core/logic/fingerprint.h"
 #include "latchwork/config/agent.h"
 
 namespace latchwork::config {
@@ -26,7 +27,7 @@ class DocumentReader {
     for (const std::filesystem::path& fragment : fragments) {
       Enter(fragment, fragment.filename().string(), {}, "fragment");
     }
-    document_.fingerprint = fingerprint_.Hex();
+    document_.fingerprint = fmt::format("{:016x}", fingerprint_);
     return std::move(document_);
   }
 
@@ -41,11 +42,17 @@ class DocumentReader {
     document_.diagnostics.push_back({place, std::move(message), std::move(hint), ""});
   }
 
+  /// With its length, so that the border between two texts counts.
+  void AddToFingerprint(std::string_view text) {
+    fingerprint_ = logic::Fingerprint(fmt::format("{}:", text.size()), fingerprint_);
+    fingerprint_ = logic::Fingerprint(text, fingerprint_);
+  }
+
   void Enter(const std::filesystem::path& file, const std::string& name,
              const logic::SourcePlace& included_at, std::string_view root) {
     XmlFile xml = ReadXml(file, AgentSchema());
-    fingerprint_.Add(name);
-    fingerprint_.Add(xml.bytes);
+    AddToFingerprint(name);
+    AddToFingerprint(xml.bytes);
     document_.sources.push_back({file.string(), std::move(xml.bytes)});
     document_.is_whole = document_.is_whole && xml.complete;
     if (CheckFormat(xml) && CheckRoot(xml, root)) {
@@ -145,7 +152,7 @@ class DocumentReader {
   }
 
   Document document_;
-  Fingerprint fingerprint_;
+  std::uint64_t fingerprint_ = logic::kFingerprintStart;
   std::vector<Entered> entered_;
   std::size_t depth_ = 0;
 };

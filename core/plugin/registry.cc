@@ -9,6 +9,7 @@
 #include <fstream>
 #include <utility>
 
+#include "core/logic/fingerprint.h"
 #include "core/plugin/abi_check.h"
 #include "core/plugin/library.h"
 #include "core/plugin/plugin_info_reader.h"
@@ -149,15 +150,14 @@ std::string Registry::Fingerprint(sdk::PluginKind kind, std::string_view name) c
   const std::vector<const PluginEntry*> candidates = Candidates(kind, name);
   if (candidates.size() != 1 || !candidates.front()->info) return {};
   std::ifstream stream(candidates.front()->file, std::ios::binary);
-  std::uint64_t hash = 0xcbf29ce484222325U;
+  std::uint64_t fingerprint = logic::kFingerprintStart;
   std::array<char, 1U << 16U> buffer{};
   while (stream) {
     stream.read(buffer.data(), buffer.size());
-    for (const char c : std::span(buffer).first(static_cast<std::size_t>(stream.gcount()))) {
-      hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-    }
+    const std::string_view read(buffer.data(), static_cast<std::size_t>(stream.gcount()));
+    fingerprint = logic::Fingerprint(read, fingerprint);
   }
-  return stream.eof() ? fmt::format("{:016x}", hash) : std::string();
+  return stream.eof() ? fmt::format("{:016x}", fingerprint) : std::string();
 }
 
 std::string Registry::SearchedText() const {

@@ -44,12 +44,6 @@ std::size_t Nesting(std::string_view json) {
 
 }  // namespace
 
-std::uint64_t Chain(std::uint64_t chain, std::string_view text) {
-  constexpr std::uint64_t kPrime = 0x100000001b3ULL;
-  for (const char c : text) chain = (chain ^ static_cast<unsigned char>(c)) * kPrime;
-  return chain;
-}
-
 void AppendFrame(std::string_view json, std::uint64_t checksum, std::string& out) {
   fmt::format_to(std::back_inserter(out), "{:08x} {:016x} ", json.size(), checksum);
   out += json;

@@ -17,12 +17,6 @@ inline constexpr std::size_t kMaxNesting = 16;
 /// `LLLLLLLL HHHHHHHHHHHHHHHH `: length of the JSON and checksum, hexadecimal.
 inline constexpr std::size_t kFramePrefix = 26;
 
-/// Where the chains of checksums start (the offset basis of FNV-1a, 64 bits).
-inline constexpr std::uint64_t kChainStart = 0xcbf29ce484222325ULL;
-
-/// FNV-1a over `text`, continuing from `chain`.
-std::uint64_t Chain(std::uint64_t chain, std::string_view text);
-
 /// Appends prefix, JSON and a line feed to `out`.
 void AppendFrame(std::string_view json, std::uint64_t checksum, std::string& out);
 

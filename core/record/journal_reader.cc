@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/logic/fingerprint.h"
 #include "core/record/frame.h"
 #include "core/record/header_json.h"
 
@@ -105,7 +106,7 @@ void JournalReader::ReadHeader() {
     Stop(tail_cut_ ? "this is not a journal, or one that was cut within its header"
                    : "this is not a journal",
          std::string(kHint));
-  } else if (Chain(kChainStart, bytes_) != checksum_) {
+  } else if (logic::Fingerprint(bytes_) != checksum_) {
     Stop("the header does not match its checksum: it was changed or damaged");
   } else if (!IsShallowJson(bytes_)) {
     Stop("this is not a journal", std::string(kHint));
@@ -118,7 +119,7 @@ void JournalReader::ReadHeader() {
       Stop(std::move(failure));
     }
   }
-  chain_ = kChainStart;
+  chain_ = logic::kFingerprintStart;
 }
 
 std::optional<JournalFrame> JournalReader::Next() {
@@ -129,7 +130,7 @@ std::optional<JournalFrame> JournalReader::Next() {
 }
 
 bool JournalReader::Accept(JournalFrame& frame) {
-  chain_ = Chain(chain_, bytes_);
+  chain_ = logic::Fingerprint(bytes_, chain_);
   if (chain_ != checksum_) {
     return Stop(
         fmt::format("the frame at byte {} does not match its checksum: it, or one before "

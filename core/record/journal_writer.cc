@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <system_error>
 
+#include "core/logic/fingerprint.h"
 #include "core/record/frame.h"
 #include "core/record/header_json.h"
 #include "core/record/tick_encoder.h"
@@ -25,7 +26,7 @@ class JournalWriter::Implementation {
     // Frames are handed over whole; a second buffer would only delay them.
     std::setvbuf(file_.get(), nullptr, _IONBF, 0);
     const std::string json = HeaderToJson(header);
-    Write(json, Chain(kChainStart, json));
+    Write(json, logic::Fingerprint(json));
   }
 
   void Tick(const schedule::TickRecord& record) {
@@ -38,7 +39,7 @@ class JournalWriter::Implementation {
 
  private:
   void WriteChained(const std::string& json) {
-    chain_ = Chain(chain_, json);
+    chain_ = logic::Fingerprint(json, chain_);
     Write(json, chain_);
   }
 
@@ -64,7 +65,7 @@ class JournalWriter::Implementation {
   std::string problem_;
   TickEncoder encoder_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  std::uint64_t chain_ = kChainStart;
+  std::uint64_t chain_ = logic::kFingerprintStart;
   std::string frame_;
 };
 

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/config/fingerprint.h"
-
 namespace latchwork::config {
 namespace {
 
@@ -27,20 +25,6 @@ TEST(DurationTest, FormatsInTheLargestWholeUnit) {
   EXPECT_EQ(FormatDuration(2'000'000), "2s");
   EXPECT_EQ(FormatDuration(1'500'000), "1500ms");
   EXPECT_EQ(FormatDuration(7), "7us");
-}
-
-TEST(FingerprintTest, BordersBetweenTextsCount) {
-  Fingerprint one;
-  one.Add("ab");
-  one.Add("c");
-  Fingerprint other;
-  other.Add("a");
-  other.Add("bc");
-  EXPECT_NE(one.Hex(), other.Hex());
-}
-
-TEST(FingerprintTest, StartsFromThePublishedOffset) {
-  EXPECT_EQ(Fingerprint().Hex(), "6c62272e07bb014262b821756295c58d");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/logic/fingerprint.h"
 #include "core/record/frame.h"
 #include "tests/core/record/sample_run.h"
 
@@ -19,7 +20,7 @@ using ::testing::SizeIs;
 
 std::string Framed(std::string_view json) {
   std::string frame;
-  AppendFrame(json, Chain(kChainStart, json), frame);
+  AppendFrame(json, logic::Fingerprint(json), frame);
   return frame;
 }
 

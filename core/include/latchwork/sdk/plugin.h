@@ -46,13 +46,20 @@ constexpr std::array<char, kSize> FixedText(std::string_view text) {
   return result;
 }
 
-#if defined(__SANITIZE_ADDRESS__)
+// gcc tells of its sanitizers by macros, clang by features.
+#if defined(__has_feature)
+#define LATCHWORK_HAS_FEATURE(feature) __has_feature(feature)
+#else
+#define LATCHWORK_HAS_FEATURE(feature) 0
+#endif
+#if defined(__SANITIZE_ADDRESS__) || LATCHWORK_HAS_FEATURE(address_sanitizer)
 inline constexpr std::string_view kSanitizers = "address";
-#elif defined(__SANITIZE_THREAD__)
+#elif defined(__SANITIZE_THREAD__) || LATCHWORK_HAS_FEATURE(thread_sanitizer)
 inline constexpr std::string_view kSanitizers = "thread";
 #else
 inline constexpr std::string_view kSanitizers = "none";
 #endif
+#undef LATCHWORK_HAS_FEATURE
 
 #if defined(_GLIBCXX_USE_CXX11_ABI) && _GLIBCXX_USE_CXX11_ABI
 inline constexpr std::string_view kStandardLibrary = "libstdc++ cxx11";
