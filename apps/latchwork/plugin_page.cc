@@ -85,8 +85,9 @@ std::string Range(const sdk::ParameterSpec& parameter) {
   }
   const bool has_minimum = std::isfinite(parameter.minimum);
   const bool has_maximum = std::isfinite(parameter.maximum);
-  if (has_minimum && has_maximum)
+  if (has_minimum && has_maximum) {
     return fmt::format("{} to {}", parameter.minimum, parameter.maximum);
+  }
   if (has_minimum) return fmt::format("at least {}", parameter.minimum);
   return has_maximum ? fmt::format("at most {}", parameter.maximum) : "";
 }

@@ -70,8 +70,9 @@ std::vector<RunRequest> MakeRequests(const RunOptions& options) {
   request.overrides = ParseSettings(options.settings);
   auto seeds = std::optional(std::pair(options.seed, options.seed));
   if (!options.seeds.empty()) seeds = ParseSeeds(options.seeds);
-  if (!seeds)
+  if (!seeds) {
     throw CLI::ValidationError("--seeds", "'" + options.seeds + "' is not FIRST-LAST, as in 1-30");
+  }
   const bool single = options.agents.size() == 1 && seeds->first == seeds->second;
   std::vector<RunRequest> requests;
   for (const std::filesystem::path& agent : options.agents) {
@@ -125,8 +126,9 @@ int ExitCodeOf(const std::vector<FinishedRun>& runs) {
 void PrintErrors(const std::vector<FinishedRun>& runs) {
   std::vector<std::string> told;
   for (const FinishedRun& run : runs) {
-    if (run.errors.empty() || std::find(told.begin(), told.end(), run.errors) != told.end())
+    if (run.errors.empty() || std::find(told.begin(), told.end(), run.errors) != told.end()) {
       continue;
+    }
     std::fputs(run.errors.c_str(), stderr);
     told.push_back(run.errors);
   }
@@ -146,10 +148,12 @@ void Print(const std::vector<FinishedRun>& runs, const RunOptions& options) {
     PrintSingle(runs.front());
   } else {
     fmt::print("{}", ScenarioTable(runs));
-    if (const std::string failures = FailureList(runs); !failures.empty())
+    if (const std::string failures = FailureList(runs); !failures.empty()) {
       fmt::print("\n{}", failures);
-    if (!options.out.empty())
+    }
+    if (!options.out.empty()) {
       fmt::print("journals, summaries and pictures: {}\n", options.out.string());
+    }
   }
 }
 

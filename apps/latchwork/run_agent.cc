@@ -21,27 +21,30 @@
 namespace latchwork::app {
 namespace {
 
-/// Keeps the first fault of each layer and kind, and tells how far the run has come.
+/// Keeps the first fault of each layer and kind and all events, and tells how far the run has come.
 class RunWatch : public schedule::RunObserver {
  public:
-  RunWatch(std::vector<schedule::Fault>& faults, const TickNotice& notice, std::uint64_t total)
-      : faults_(faults), notice_(notice), total_(total) {}
+  RunWatch(FinishedRun& run, const TickNotice& notice, std::uint64_t total)
+      : run_(run), notice_(notice), total_(total) {}
 
   bool OnTick(const schedule::TickRecord& record) override {
     for (const schedule::Fault& fault : record.faults) Keep(fault);
+    for (const schedule::EventRecord& event : record.events) {
+      run_.events.push_back({record.tick, logic::ToString(event.fact), event.problem});
+    }
     notice_(record.tick + 1, total_);
     return true;
   }
 
  private:
   void Keep(const schedule::Fault& fault) {
-    const bool known = std::any_of(faults_.begin(), faults_.end(), [&](const auto& other) {
+    const bool known = std::any_of(run_.faults.begin(), run_.faults.end(), [&](const auto& other) {
       return other.layer == fault.layer && other.kind == fault.kind;
     });
-    if (!known) faults_.push_back(fault);
+    if (!known) run_.faults.push_back(fault);
   }
 
-  std::vector<schedule::Fault>& faults_;
+  FinishedRun& run_;
   const TickNotice& notice_;
   std::uint64_t total_;
 };
@@ -74,8 +77,9 @@ void WriteFile(const std::filesystem::path& file, const std::string& text, Finis
 
 void WriteResults(const RunRequest& request, const sdk::World& world, FinishedRun& run) {
   WriteFile(request.out / "summary.json", ToJson({run}) + "\n", run);
-  for (std::filesystem::path& picture : world.Draw(request.out))
+  for (std::filesystem::path& picture : world.Draw(request.out)) {
     run.written.push_back(std::move(picture));
+  }
 }
 
 /// A run without its journal is still a run; what is missing is told.
@@ -123,7 +127,7 @@ FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry
 
   run.agent_name = agent->description.name;
   for (const auto& layer : agent->description.layers) run.layer_names.push_back(layer.name);
-  RunWatch watch(run.faults, notice, request.ticks.value_or(agent->description.max_ticks));
+  RunWatch watch(run, notice, request.ticks.value_or(agent->description.max_ticks));
   schedule::LockstepOptions options;
   options.threads = request.threads;
   options.max_ticks = request.ticks;

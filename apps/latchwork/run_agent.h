@@ -30,6 +30,13 @@ struct RunRequest {
   unsigned threads = 1;
 };
 
+/// What happened to the world from outside, and why the world could not do it (else empty).
+struct EventNote {
+  std::uint64_t tick = 0;
+  std::string fact;
+  std::string problem;
+};
+
 struct FinishedRun {
   RunRequest request;
   int exit_code = 0;
@@ -38,6 +45,7 @@ struct FinishedRun {
   schedule::RunResult result;            ///< Only when the run began.
   std::vector<schedule::Fault> faults;   ///< The first of each layer and kind, with its tick.
   std::vector<std::string> layer_names;  ///< For the faults.
+  std::vector<EventNote> events;
   std::vector<std::filesystem::path> written;
   bool began = false;
 };

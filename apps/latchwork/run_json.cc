@@ -40,6 +40,14 @@ Json FaultJson(const schedule::Fault& fault, const FinishedRun& run) {
           {"message", fault.message}};
 }
 
+Json EventsJson(const std::vector<EventNote>& events) {
+  Json list = Json::array();
+  for (const EventNote& event : events) {
+    list.push_back({{"tick", event.tick}, {"fact", event.fact}, {"problem", event.problem}});
+  }
+  return list;
+}
+
 Json MeasuresJson(const schedule::RunResult& result) {
   Json measures = Json::object();
   for (const auto& [name, value] : result.measures) measures[name] = value;
@@ -62,6 +70,7 @@ Json RunJson(const FinishedRun& run) {
           {"command", CommandOf(run.request)},
           {"measures", MeasuresJson(result)},
           {"layers", std::move(layers)},
+          {"events", EventsJson(run.events)},
           {"faults", std::move(faults)},
           {"errors", run.errors}};
 }

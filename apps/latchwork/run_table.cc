@@ -104,8 +104,13 @@ std::string OutcomeText(const FinishedRun& run) {
   std::string text = fmt::format("{} (seed {}): {}{}{} after {} ticks\n", run.agent_name,
                                  result.seed, schedule::Name(result.state),
                                  result.message.empty() ? "" : ", ", result.message, result.ticks);
-  for (const auto& [name, value] : result.measures)
+  for (const auto& [name, value] : result.measures) {
     text += fmt::format("  {}: {:g}\n", name, value);
+  }
+  for (const EventNote& event : run.events) {
+    text += fmt::format("  event at tick {}: {}{}{}\n", event.tick, event.fact,
+                        event.problem.empty() ? "" : ": not done: ", event.problem);
+  }
   for (const schedule::Fault& fault : run.faults) {
     const bool of_world = fault.layer == schedule::Fault::kWorld;
     text += fmt::format("  fault at tick {} in {} (plugin {}): {}: {}\n", fault.tick,

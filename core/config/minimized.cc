@@ -16,8 +16,9 @@ std::optional<logic::PredicateName> ReadName(AgentCheck& check, const Attribute&
   std::uint8_t arity = 0;
   const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), arity);
   const bool is_number = error == std::errc() && stop == digits.data() + digits.size();
-  if (is_number && slash > 0)
+  if (is_number && slash > 0) {
     return logic::PredicateName{check.symbols.Intern(text.substr(0, slash)), arity};
+  }
   check.Say(attribute.place,
             fmt::format("'{}' does not name a predicate with its number of arguments", text),
             slash == std::string_view::npos ? fmt::format("write it as {}/0 or {}/1", text, text)

@@ -160,8 +160,9 @@ void ApplyOverrides(AgentCheck& check, std::vector<Element>& elements,
   }
   for (const Element& element : given) {
     const Attribute* part = element.Find("part");
-    if (part != nullptr && !check.HasEnough())
+    if (part != nullptr && !check.HasEnough()) {
       Merge(check, elements, element, part->place, part->value);
+    }
   }
   const logic::SourcePlace place{"command line", 0, 0};
   for (const Override& override : overrides) {

@@ -13,8 +13,9 @@ void CheckRepeats(const Element& element, logic::Diagnostics& diagnostics) {
   for (const Element& child : element.children) {
     CheckRepeats(child, diagnostics);
     std::string what;
-    if (child.name == "reasoner" || child.name == "fallback")
+    if (child.name == "reasoner" || child.name == "fallback") {
       what = fmt::format("<{}>", child.name);
+    }
     const Attribute* name = child.Find("name");
     if (child.name == "param" && name != nullptr) what = fmt::format("parameter '{}'", name->value);
     if (what.empty()) continue;

@@ -69,8 +69,9 @@ class TreeBuilder : public xml::DefaultHandler {
     const std::string space = Utf8(uri);
     element.name = space.empty() ? Utf8(local) : fmt::format("{{{}}}{}", space, Utf8(local));
     element.place = Place(tag.position);
-    for (XMLSize_t i = 0; i < attributes.getLength(); ++i)
+    for (XMLSize_t i = 0; i < attributes.getLength(); ++i) {
       AddAttribute(attributes, i, tag, element);
+    }
     open_.push_back(std::move(element));
     if (open_.size() > kMaxXmlDepth) {
       Refuse(open_.back().place,

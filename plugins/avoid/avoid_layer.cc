@@ -4,6 +4,7 @@
 #include <memory>
 #include <numbers>
 
+#include "latchwork/sdk/contract_body.h"
 #include "plugins/avoid/get_clearance.h"
 #include "plugins/avoid/get_force.h"
 
@@ -14,7 +15,6 @@ using sdk::ArgumentType;
 using sdk::ParameterSpec;
 using sdk::ParameterType;
 using sdk::PortSpec;
-using sdk::PredicateSpec;
 
 const sdk::ArgumentSpec kSonar{"sonar", ArgumentType::kInteger, ""};
 const sdk::ArgumentSpec kObject{"object", ArgumentType::kAny, ""};
@@ -88,14 +88,6 @@ std::vector<ParameterSpec> MakeParameters() {
   };
 }
 
-logic::Atom Pattern(logic::SymbolTable& symbols, std::string_view name, std::size_t arity) {
-  std::vector<logic::Term> variables;
-  for (std::size_t i = 0; i < arity; ++i) {
-    variables.push_back(logic::Term::Var(static_cast<logic::Variable>(i)));
-  }
-  return {symbols.Intern(name), variables};
-}
-
 ForceLaw LawOf(const sdk::Parameters& parameters) {
   return {.influence = parameters.Real("influence"),
           .repulsion = parameters.Real("repulsion"),
@@ -118,19 +110,9 @@ std::span<const ParameterSpec> AvoidLayer::parameters() const {
 sdk::Body AvoidLayer::MakeBody(std::string_view language, const sdk::Parameters& parameters,
                                const std::filesystem::path& data,
                                logic::SymbolTable& symbols) const {
-  sdk::Body body;
-  body.language = language;
+  sdk::Body body = sdk::ContractBody(contract(), language, symbols);
   body.files = {data / "avoid.p"};
   body.facts = sdk::ParameterFacts(parameters, symbols);
-  for (const PortSpec& port : contract().inputs) {
-    for (const PredicateSpec& predicate : port.predicates) {
-      body.inputs.push_back({symbols.Intern(predicate.name), predicate.arguments.size()});
-    }
-  }
-  for (const PredicateSpec& predicate : contract().outputs[0].predicates) {
-    const std::size_t arity = predicate.arguments.size();
-    body.goals.push_back({Pattern(symbols, predicate.name, arity), arity});
-  }
   body.minimized = {{{symbols.Intern("halt_robot"), 0}, 0},
                     {{symbols.Intern("object"), 1}, 0},
                     {{symbols.Intern("distance"), 2}, 0},

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "latchwork/sdk/contract_body.h"
 #include "plugins/elevators/shortest_plan.h"
 
 namespace latchwork::elevators {
@@ -11,7 +12,6 @@ namespace {
 using sdk::ArgumentSpec;
 using sdk::ArgumentType;
 using sdk::PortSpec;
-using sdk::PredicateSpec;
 
 constexpr std::int64_t kLongestPlan = 4;  // as many as elevators.p has shapes
 
@@ -64,17 +64,6 @@ sdk::Contract MakeContract() {
           {std::move(destination), std::move(buttons)}};
 }
 
-sdk::Goal GoalOf(const PredicateSpec& predicate, std::size_t port, logic::SymbolTable& symbols) {
-  std::vector<logic::Term> variables;
-  for (std::size_t i = 0; i < predicate.arguments.size(); ++i) {
-    variables.push_back(logic::Term::Var(static_cast<logic::Variable>(i)));
-  }
-  return {{symbols.Intern(predicate.name), variables},
-          variables.size(),
-          sdk::Goal::Answers::kFirst,
-          port};
-}
-
 }  // namespace
 
 const sdk::Contract& ElevatorsLayer::contract() const {
@@ -87,19 +76,8 @@ std::span<const sdk::ParameterSpec> ElevatorsLayer::parameters() const { return 
 sdk::Body ElevatorsLayer::MakeBody(std::string_view language, const sdk::Parameters& /*parameters*/,
                                    const std::filesystem::path& data,
                                    logic::SymbolTable& symbols) const {
-  sdk::Body body;
-  body.language = language;
+  sdk::Body body = sdk::ContractBody(contract(), language, symbols);
   body.files = {data / "elevators.p"};
-  for (const PortSpec& port : contract().inputs) {
-    for (const PredicateSpec& predicate : port.predicates) {
-      body.inputs.push_back({symbols.Intern(predicate.name), predicate.arguments.size()});
-    }
-  }
-  for (std::size_t port = 0; port < contract().outputs.size(); ++port) {
-    for (const PredicateSpec& predicate : contract().outputs[port].predicates) {
-      body.goals.push_back(GoalOf(predicate, port, symbols));
-    }
-  }
   body.minimized = {{{symbols.Intern("target_landmark"), 1}, 0},
                     {{symbols.Intern("elevator_open"), 1}, 0},
                     {{symbols.Intern("elevator_out_of_order"), 1}, 0},

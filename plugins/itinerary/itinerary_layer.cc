@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/itinerary/itinerary_layer.h"
 
+#include "latchwork/sdk/contract_body.h"
+
 namespace latchwork::itinerary {
 namespace {
 
 using sdk::ArgumentSpec;
 using sdk::ArgumentType;
 using sdk::PortSpec;
-using sdk::PredicateSpec;
 
 const ArgumentSpec kLandmark{"landmark", ArgumentType::kSymbol, ""};
 const ArgumentSpec kElevator{"elevator", ArgumentType::kSymbol, ""};
@@ -59,15 +60,8 @@ std::span<const sdk::ParameterSpec> ItineraryLayer::parameters() const { return 
 sdk::Body ItineraryLayer::MakeBody(std::string_view language, const sdk::Parameters& /*parameters*/,
                                    const std::filesystem::path& data,
                                    logic::SymbolTable& symbols) const {
-  sdk::Body body;
-  body.language = language;
+  sdk::Body body = sdk::ContractBody(contract(), language, symbols);
   body.files = {data / "itinerary.p"};
-  for (const PortSpec& port : contract().inputs) {
-    for (const PredicateSpec& predicate : port.predicates) {
-      body.inputs.push_back({symbols.Intern(predicate.name), predicate.arguments.size()});
-    }
-  }
-  body.goals = {{{symbols.Intern("target_landmark"), {logic::Term::Var(0)}}, 1}};
   body.minimized = {{{symbols.Intern("goal"), 1}, 0},
                     {{symbols.Intern("door_shut"), 1}, 0},
                     {{symbols.Intern("elevator_out_of_order"), 1}, 0}};

@@ -4,6 +4,7 @@
 #include <memory>
 #include <numbers>
 
+#include "latchwork/sdk/contract_body.h"
 #include "plugins/seek/bearing.h"
 
 namespace latchwork::seek {
@@ -14,7 +15,6 @@ using sdk::ArgumentType;
 using sdk::ParameterSpec;
 using sdk::ParameterType;
 using sdk::PortSpec;
-using sdk::PredicateSpec;
 
 const ArgumentSpec kX{"x", ArgumentType::kReal, "m"};
 const ArgumentSpec kY{"y", ArgumentType::kReal, "m"};
@@ -65,14 +65,6 @@ std::vector<ParameterSpec> MakeParameters() {
            .choices = {}}};
 }
 
-sdk::Goal GoalOf(const PredicateSpec& predicate, logic::SymbolTable& symbols) {
-  std::vector<logic::Term> variables;
-  for (std::size_t i = 0; i < predicate.arguments.size(); ++i) {
-    variables.push_back(logic::Term::Var(static_cast<logic::Variable>(i)));
-  }
-  return {{symbols.Intern(predicate.name), variables}, variables.size()};
-}
-
 }  // namespace
 
 const sdk::Contract& SeekLayer::contract() const {
@@ -88,21 +80,12 @@ std::span<const ParameterSpec> SeekLayer::parameters() const {
 sdk::Body SeekLayer::MakeBody(std::string_view language, const sdk::Parameters& parameters,
                               const std::filesystem::path& data,
                               logic::SymbolTable& symbols) const {
-  sdk::Body body;
-  body.language = language;
+  sdk::Body body = sdk::ContractBody(contract(), language, symbols);
   body.files = {data / "seek.p"};
   body.facts = sdk::ParameterFacts(parameters, symbols);
   const double width = 2.0 * std::numbers::pi / static_cast<double>(parameters.Integer("sectors"));
   body.facts.emplace_back(symbols.Intern("sector_width"),
                           std::initializer_list<logic::Term>{logic::Term::Real(width)});
-  for (const PortSpec& port : contract().inputs) {
-    for (const PredicateSpec& predicate : port.predicates) {
-      body.inputs.push_back({symbols.Intern(predicate.name), predicate.arguments.size()});
-    }
-  }
-  for (const PredicateSpec& predicate : contract().outputs[0].predicates) {
-    body.goals.push_back(GoalOf(predicate, symbols));
-  }
   body.minimized = {{{symbols.Intern("move_cmd"), 2}, 0}};
   body.attachments = {std::make_shared<Bearing>()};
   return body;

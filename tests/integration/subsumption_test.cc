@@ -193,8 +193,9 @@ class SubsumptionTest : public ::testing::Test {
     catalog.find = [this, find](sdk::PluginKind kind, std::string_view name,
                                 std::string& error) -> std::optional<config::PluginFacts> {
       if (name == "scripted") return config::PluginFacts{world_->shape, {}, {}, {}};
-      if (name == "claims" && kind == sdk::PluginKind::kLayer)
+      if (name == "claims" && kind == sdk::PluginKind::kLayer) {
         return config::PluginFacts{claims_layer_->shape, {}, {"fake"}, {}};
+      }
       if (name == "claims") return config::PluginFacts{{}, {}, {"fake"}, {}};
       return find(kind, name, error);
     };

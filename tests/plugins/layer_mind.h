@@ -35,8 +35,9 @@ class LayerMind {
         body, sdk::Parameters::Defaults(reasoner_.object->parameters()), symbols_);
     diagnostics.insert(diagnostics.end(), unread.begin(), unread.end());
     EXPECT_EQ(logic::Format(diagnostics), "");
-    for (const auto& port : layer_.object->contract().inputs)
+    for (const auto& port : layer_.object->contract().inputs) {
       latches_.push_back({port.name, {}, 0});
+    }
   }
 
   void Latch(std::string_view port, const std::vector<std::string>& facts) {

@@ -76,8 +76,9 @@ void MakeGoal(Making& making) {
   const std::string& name = making.parameters.Text("goal");
   if (name.empty()) return;
   making.state.goal = making.building().FindLandmark(name);
-  if (!making.state.goal)
+  if (!making.state.goal) {
     making.FailName("goal", "landmark", name, NamesOf(making.building().landmarks));
+  }
 }
 
 void MakePeople(Making& making) {

@@ -88,8 +88,9 @@ Pose StartPlace(Making& making) {
   }
   if (!name.empty()) {
     const auto landmark = making.building().FindLandmark(name);
-    if (landmark && making.building().landmarks[*landmark].floor >= 0)
+    if (landmark && making.building().landmarks[*landmark].floor >= 0) {
       return NearLandmark(making, *landmark);
+    }
     making.FailName("start", "landmark", name, NamesOf(making.building().landmarks));
     return {};
   }

@@ -121,8 +121,9 @@ class Grounder {
   Propositional Take() {
     for (const std::string& term : terms_) {
       auto& some = clauses_.emplace_back();
-      for (std::size_t i = 0; i < size_; ++i)
+      for (std::size_t i = 0; i < size_; ++i) {
         some.push_back(Number(term + "=" + std::to_string(i)));
+      }
     }
     return std::move(clauses_);
   }

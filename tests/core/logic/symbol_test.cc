@@ -53,8 +53,9 @@ TEST(SymbolTest, Intern_FromManyThreads_AgreesOnSymbols) {
   std::vector<std::thread> threads;
   for (auto& mine : seen) {
     threads.emplace_back([&table, &mine] {
-      for (std::size_t i = 0; i < kNames; ++i)
+      for (std::size_t i = 0; i < kNames; ++i) {
         mine.push_back(table.Intern("n" + std::to_string(i)));
+      }
     });
   }
   for (std::thread& thread : threads) thread.join();
