@@ -74,7 +74,7 @@ std::string Fragment(const std::string& content) {
 }  // namespace
 
 std::string WorldExample(std::string_view plugin, std::span<const sdk::ParameterSpec> parameters) {
-  return Fragment(Element(fmt::format("world plugin=\"{}\"", plugin), "world",
+  return Fragment(Element(fmt::format(R"(world plugin="{}")", plugin), "world",
                           Parameters(parameters, "    "), "  "));
 }
 
@@ -82,7 +82,7 @@ std::string LayerExample(std::string_view plugin, const sdk::Contract& contract,
                          std::span<const sdk::ParameterSpec> parameters,
                          std::string_view reasoner) {
   std::string lines = Element(
-      fmt::format("layer name=\"{0}\" plugin=\"{0}\" period=\"100ms\"", plugin), "layer",
+      fmt::format(R"(layer name="{0}" plugin="{0}" period="100ms")", plugin), "layer",
       Parameters(parameters, "    ") + fmt::format("    <reasoner plugin=\"{}\"/>\n", reasoner),
       "  ");
   for (const sdk::PortSpec& port : contract.inputs) {
@@ -98,8 +98,8 @@ std::string LayerExample(std::string_view plugin, const sdk::Contract& contract,
 std::string ReasonerExample(std::string_view plugin,
                             std::span<const sdk::ParameterSpec> parameters) {
   const std::string start =
-      fmt::format("reasoner plugin=\"{}\" inferences=\"100000\" depth=\"24\"", plugin);
-  return Fragment(Element("override part=\"my_layer\"", "override",
+      fmt::format(R"(reasoner plugin="{}" inferences="100000" depth="24")", plugin);
+  return Fragment(Element(R"(override part="my_layer")", "override",
                           Element(start, "reasoner", Parameters(parameters, "      "), "    "),
                           "  "));
 }

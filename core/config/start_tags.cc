@@ -74,7 +74,7 @@ void StartTags::ReadAttribute() {
   while (!Done() && !EndsName(text_[offset_])) Step();
   span.name = text_.substr(begin, offset_ - begin);
   while (!Done() && (IsSpace(text_[offset_]) || At("="))) Step();
-  if (Done() || (!At("\"") && !At("'"))) return;
+  if (Done() || (!At(R"(")") && !At("'"))) return;
   const std::string_view quote = text_.substr(offset_, 1);
   Step();
   span.value_position = position_;

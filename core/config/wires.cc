@@ -139,7 +139,7 @@ class WireCheck {
       if (facts == nullptr) continue;
       for (const sdk::PortSpec& output : facts->contract.outputs) {
         if (Compare(output, input)) continue;
-        return fmt::format("add <wire from=\"{}.{}\" to=\"{}\"/>", check_.NameOf(part), output.name,
+        return fmt::format(R"(add <wire from="{}.{}" to="{}"/>)", check_.NameOf(part), output.name,
                            name);
       }
     }

@@ -17,8 +17,8 @@
 namespace latchwork::record {
 namespace {
 
-constexpr std::string_view kTickStart = "{\"tick\":";
-constexpr std::string_view kEndStart = "{\"end\":";
+constexpr std::string_view kTickStart = R"({"tick":)";
+constexpr std::string_view kEndStart = R"({"end":)";
 
 std::optional<std::uint64_t> TickOf(std::string_view json) {
   std::uint64_t tick = 0;
