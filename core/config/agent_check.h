@@ -58,6 +58,7 @@ std::string NameHint(std::string_view word, const std::vector<std::string>& know
 template <typename Items>
 std::vector<std::string> NamesOf(const Items& items) {
   std::vector<std::string> names;
+  names.reserve(items.size());
   for (const auto& item : items) names.push_back(item.name);
   return names;
 }

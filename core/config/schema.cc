@@ -4,11 +4,11 @@
 #include "latchwork/config/agent.h"
 
 namespace latchwork::config {
+namespace {
 
 // The documentation of a simple type completes the sentence "'x' is not ...", which is what a
 // person reads whose value does not match.
-std::string_view AgentSchema() {
-  return R"xsd(<?xml version="1.0" encoding="UTF-8"?>
+constexpr std::string_view kAgentSchema = R"xsd(<?xml version="1.0" encoding="UTF-8"?>
 <xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema">
   <xs:element name="agent" type="Agent"/>
   <xs:element name="fragment" type="Fragment"/>
@@ -142,6 +142,9 @@ std::string_view AgentSchema() {
   </xs:simpleType>
 </xs:schema>
 )xsd";
-}
+
+}  // namespace
+
+std::string_view AgentSchema() { return kAgentSchema; }
 
 }  // namespace latchwork::config

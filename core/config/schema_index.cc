@@ -8,7 +8,7 @@ namespace {
 
 /// Schema elements carry their namespace: {...XMLSchema}element.
 bool Is(const Element& element, std::string_view name) {
-  return std::string_view(element.name).ends_with("}" + std::string(name));
+  return element.name.ends_with("}" + std::string(name));
 }
 
 std::string ValueOf(const Element& element, std::string_view attribute) {

@@ -197,7 +197,7 @@ xml::MemBufInputSource Source(std::string_view text, const char* name) {
   return {reinterpret_cast<const XMLByte*>(text.data()), text.size(), name};
 }
 
-void Start() { static const Runtime kRuntime; }
+void Start() { static const Runtime runtime; }
 
 /// `pool` holds the grammar to validate against; null: no validation.
 Reader MakeReader(xml::XMLGrammarPool* pool) {
@@ -263,8 +263,8 @@ std::shared_ptr<const Grammar> MakeGrammar(std::string_view schema) {
   if (schema.empty()) return nullptr;
   if (schema != AgentSchema()) return std::make_shared<const Grammar>(schema);
   Start();
-  static const auto kGrammar = std::make_shared<const Grammar>(AgentSchema());
-  return kGrammar;
+  static const auto grammar = std::make_shared<const Grammar>(AgentSchema());
+  return grammar;
 }
 
 XmlFile ReadChecked(std::string bytes, std::string_view name, std::string_view schema) {

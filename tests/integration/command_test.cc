@@ -104,7 +104,7 @@ TEST_F(ReplayCommandTest, OnSeveralThreads_IsIdentical) {
 
 TEST_F(ReplayCommandTest, AnotherParameter_NamesTheFirstDifference) {
   const CommandResult result =
-      Latchwork({"replay", "out/run.journal", "--set", "avoid.repulsion=0.2"});
+      Latchwork({"replay", "out/run.journal", "--set", "avoid.speed_gain=0.3"});
   EXPECT_EQ(result.exit_code, 6) << result.err;
   EXPECT_THAT(result.out, StartsWith("tick "));
   EXPECT_THAT(result.out, HasSubstr("layer avoid"));
@@ -185,7 +185,7 @@ TEST_F(CommandTest, Check_SumsUpEveryExample) {
 
 TEST_F(CommandTest, CheckJson_ListsEveryMistakeWithItsPlace) {
   const std::string file = LATCHWORK_SOURCE_DIR "/tests/integration/bad_input/six_mistakes.xml";
-  const nlohmann::json mistakes = Json({"check", "--json", file}, 3);
+  const nlohmann::json mistakes = Json({"check", "--json", file}, 4);
   ASSERT_EQ(mistakes.size(), 6U);
   for (const nlohmann::json& mistake : mistakes) {
     EXPECT_EQ(mistake.at("file"), file);
