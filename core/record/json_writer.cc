@@ -16,7 +16,7 @@ bool IsPlain(char c) { return c >= ' ' && c < '\x7f' && c != '"' && c != '\\'; }
 
 template <typename Value>
 void AppendNumber(std::string& text, Value value) {
-  std::array<char, 32> buffer;
+  std::array<char, 32> buffer{};
   const char* const begin = buffer.data();
   const char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
   text.append(begin, end);

@@ -10,6 +10,7 @@ namespace {
 
 std::vector<std::string> PortNames(const std::vector<sdk::PortSpec>& ports) {
   std::vector<std::string> names;
+  names.reserve(ports.size());
   for (const sdk::PortSpec& port : ports) names.push_back(port.name);
   return names;
 }
