@@ -15,9 +15,24 @@ Engine::Engine(logic::SymbolTable& symbols, const EngineOptions& options)
       predicates_(arithmetic_, symbols.Intern("=")),
       facts_(predicates_, functors_),
       compiler_(predicates_, functors_, symbols.Intern("=")),
-      builder_(heap_) {
+      builder_(heap_),
+      tables_(MakeWorkshop()) {
   facts_.AddSource("body");
   program_ = std::make_unique<Program>();
+}
+
+Workshop Engine::MakeWorkshop() {
+  Workshop workshop;
+  workshop.predicates = &predicates_;
+  workshop.facts = &facts_;
+  workshop.functors = &functors_;
+  workshop.heap = &heap_;
+  workshop.meter = &meter_;
+  workshop.failures = &failures_;
+  workshop.oracles = this;
+  workshop.unique_names = options_.unique_names;
+  workshop.reorder = options_.reorder;
+  return workshop;
 }
 
 void Engine::DeclareInput(const logic::PredicateName& name) {
@@ -51,7 +66,12 @@ void Engine::SetTheory(std::vector<logic::Clause> clauses, std::span<const logic
     if (compiler_.IsFact(clause)) facts_.Add(body, clause.literals.front().atom);
   }
   program_ = compiler_.Compile(std::move(clauses));
+  ForgetReaches();
+}
+
+void Engine::ForgetReaches() {
   reaches_.clear();
+  ++reach_version_;
 }
 
 std::size_t Engine::AddSource(std::string name) {
@@ -60,20 +80,28 @@ std::size_t Engine::AddSource(std::string name) {
 }
 
 void Engine::SetFacts(std::size_t source, std::span<const logic::Fact> facts) {
-  facts_.Clear(facts_.source(source));
-  for (const logic::Fact& fact : facts) AddFact(source, fact);
+  if (facts_.Replace(facts_.source(source), facts)) ForgetReaches();
 }
 
 void Engine::AddFact(std::size_t source, const logic::Fact& fact) {
-  if (facts_.Add(facts_.source(source), fact)) reaches_.clear();
+  if (facts_.Add(facts_.source(source), fact)) ForgetReaches();
 }
 
 void Engine::Begin(const sdk::Budget& budget) {
+  constexpr std::size_t kMostAsked = 256;
+  if (asked_.size() > kMostAsked) asked_.clear();
   heap_.Clear();
   results_.Clear();
   meter_.Start(budget);
   failures_.Clear();
+  tables_.Begin();
   depth_ = 0;
+  ++decision_;
+  seen_.Clear();
+  nested_seen_.Clear();
+  asks_ = false;
+  asked_assumptions_.clear();
+  adopted_ = 0;
   closed_.Clear();
   closings_.clear();
   computed_.Clear();
@@ -92,6 +120,11 @@ void Engine::CompileQuery(std::span<const logic::Literal> query, std::size_t var
 }
 
 const Reach& Engine::ReachFor(std::span<const Contrapositive* const> starts, bool closing) {
+  return FindReachFor(starts, closing).reach;
+}
+
+Engine::KnownReach& Engine::FindReachFor(std::span<const Contrapositive* const> starts,
+                                         bool closing) {
   reach_key_.assign(1, closing ? 1 : 0);
   for (const Contrapositive* start : starts) {
     for (const CompiledLiteral& literal : start->body) {
@@ -100,11 +133,14 @@ const Reach& Engine::ReachFor(std::span<const Contrapositive* const> starts, boo
     reach_key_.push_back(kNoClause);
   }
   for (const auto& known : reaches_) {
-    if (known->key == reach_key_) return known->reach;
+    if (known->key == reach_key_) return *known;
   }
   reaches_.push_back(std::make_unique<KnownReach>(
-      KnownReach{reach_key_, FindReach(*program_, predicates_, starts, closing)}));
-  return reaches_.back()->reach;
+      KnownReach{reach_key_, FindReach(*program_, predicates_, starts, closing), nullptr}));
+  KnownReach& made = *reaches_.back();
+  made.program = std::make_unique<TableProgram>(predicates_, made.reach, options_.reorder);
+  if (!options_.tables) made.program->GiveUp();
+  return made;
 }
 
 SearchEnd Engine::Search(const SearchRequest& request, ProofSink& sink) {
@@ -117,23 +153,13 @@ SearchEnd Engine::Search(const SearchRequest& request, ProofSink& sink) {
 }
 
 Engine::Nest* Engine::EnterNest() {
-  constexpr std::size_t kDeepestNest = 32;
+  constexpr std::size_t kDeepestNest = 64;
   if (depth_ == kDeepestNest) {
     obstacle_ = "closing and attachments ask each other too deeply";
     return nullptr;
   }
   if (depth_ == nests_.size()) {
-    Workshop workshop;
-    workshop.predicates = &predicates_;
-    workshop.facts = &facts_;
-    workshop.functors = &functors_;
-    workshop.heap = &heap_;
-    workshop.meter = &meter_;
-    workshop.failures = &failures_;
-    workshop.oracles = this;
-    workshop.unique_names = options_.unique_names;
-    workshop.reorder = options_.reorder;
-    nests_.push_back(std::make_unique<Nest>(workshop));
+    nests_.push_back(std::make_unique<Nest>(MakeWorkshop()));
   }
   return nests_[depth_++].get();
 }

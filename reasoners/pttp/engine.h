@@ -4,8 +4,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "latchwork/logic/arithmetic.h"
@@ -20,9 +22,13 @@
 #include "reasoners/pttp/machine.h"
 #include "reasoners/pttp/meter.h"
 #include "reasoners/pttp/oracles.h"
+#include "reasoners/pttp/predicate_set.h"
 #include "reasoners/pttp/predicates.h"
 #include "reasoners/pttp/program.h"
+#include "reasoners/pttp/query.h"
 #include "reasoners/pttp/reach.h"
+#include "reasoners/pttp/table_plan.h"
+#include "reasoners/pttp/tables.h"
 #include "reasoners/pttp/term_cache.h"
 
 namespace latchwork::pttp {
@@ -31,7 +37,11 @@ struct EngineOptions {
   bool unique_names = false;
   bool reorder = true;
   bool cache_attachments = true;
+  bool tables = true;
 };
+
+/// How many proofs of a query are wanted.
+enum class Wanted : std::uint8_t { kFirst, kAll };
 
 /// A compiled theory with its facts, and the searches in it. Everything that lasts for one decision
 /// only lies in memory that the next one reuses.
@@ -60,6 +70,26 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
   SearchEnd Search(const SearchRequest& request, ProofSink& sink);
   /// Valid until clauses change or a predicate has facts for the first time.
   const Reach& ReachFor(std::span<const Contrapositive* const> starts, bool closing);
+
+  /// Finds out what can be known before the query is asked. False: it is beyond proof.
+  bool Prepare(Query& query);
+  /// With tables where they fit, else by search.
+  SearchEnd Solve(Query& query, Wanted wanted, std::uint32_t depth, ProofSink& sink);
+  /// By search, with the steps of its proof.
+  SearchEnd SolveWithSteps(Query& query, std::uint32_t depth, ProofSink& sink);
+
+  /// Whose facts a result rests on: those that queries have seen since the last call of Watch.
+  void Watch();
+  PredicateSet& Seen();
+  /// What Solve was asked to assume since then: indices into the assumptions, with repetitions.
+  const std::vector<std::size_t>& asked_assumptions() const { return asked_assumptions_; }
+  /// A time for ChangedSince.
+  std::uint64_t now() const { return facts_.now(); }
+  bool HasChanged(const PredicateSet& seen, std::uint64_t since) const;
+  /// Changes when what was found out about reaches is void.
+  std::uint64_t reach_version() const { return reach_version_; }
+  /// Takes over an assumption that still stands from an earlier decision.
+  std::size_t Adopt(const sdk::Assumption& assumption);
 
   const Program& program() const { return *program_; }
   const Predicates& predicates() const { return predicates_; }
@@ -92,7 +122,7 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
   struct Nest {
     explicit Nest(const Workshop& workshop) : machine(workshop) {}
     Machine machine;
-    Contrapositive query;
+    Contrapositive start;
     SearchRequest request;
     VariantTable answers;
     std::vector<logic::Term> terms;
@@ -100,6 +130,7 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
   struct KnownReach {
     std::vector<std::uint32_t> key;
     Reach reach;
+    std::unique_ptr<TableProgram> program;
   };
   struct ClosingRecord {
     Closing closing;
@@ -112,12 +143,23 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
   };
   class NestGuard;
   class ProvedSink;
-  class AnswerForwarder;
+  class AnswerKeeper;
   class OutputCollector;
 
   void ForEachProvable(std::span<const logic::Literal> query, std::size_t variables,
                        sdk::AnswerSink& sink) override;
   Closing CloseAnew(PredicateId predicate, std::span<const Word> arguments);
+  SearchEnd CloseBySearch(PredicateId predicate, Query& query, std::span<const Word> arguments,
+                          std::uint32_t depth);
+  Query& ClosingQuery(PredicateId predicate);
+  AskedQuery& FindAsked(std::span<const logic::Literal> literals, std::size_t variables);
+  void AskAnew(AskedQuery& asked);
+  std::optional<SearchEnd> SolveByTables(Query& query, std::span<const Word> given,
+                                         ProofSink& sink);
+  SearchEnd SolveBySearch(Query& query, std::uint32_t depth, bool record, ProofSink& sink);
+  KnownReach& FindReachFor(std::span<const Contrapositive* const> starts, bool closing);
+  void ForgetReaches();
+  Workshop MakeWorkshop();
   Computed* ComputeAnew(AttachmentEntry& entry, std::span<const Word> arguments, Nest& nest);
   bool InputsFit(const sdk::Attachment::Signature& signature,
                  std::span<const Word> arguments) const;
@@ -136,6 +178,9 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
   std::unique_ptr<Program> program_;
   std::vector<std::unique_ptr<KnownReach>> reaches_;
   std::vector<std::uint32_t> reach_key_;
+  std::uint64_t reach_version_ = 1;
+  std::vector<std::unique_ptr<Query>> closing_queries_;                        ///< By predicate.
+  std::unordered_multimap<std::uint64_t, std::unique_ptr<AskedQuery>> asked_;  ///< By hash.
   std::vector<AttachmentEntry> attachments_;
 
   Arena heap_;
@@ -143,8 +188,15 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
   Arena results_;
   Meter meter_;
   FailureCache failures_;
+  Tables tables_;
   std::vector<std::unique_ptr<Nest>> nests_;
   std::size_t depth_ = 0;
+  std::uint64_t decision_ = 0;
+  PredicateSet seen_;
+  PredicateSet nested_seen_;  ///< By closings and attachments of this decision.
+  bool asks_ = false;
+  std::vector<std::size_t> asked_assumptions_;
+  std::size_t adopted_ = 0;  ///< How many of the assumptions were.
   VariantTable closed_;
   std::vector<ClosingRecord> closings_;
   VariantTable computed_;

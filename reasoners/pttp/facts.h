@@ -2,10 +2,12 @@
 #ifndef LATCHWORK_PTTP_FACTS_H_
 #define LATCHWORK_PTTP_FACTS_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "latchwork/logic/atom.h"
@@ -26,6 +28,19 @@ class FactTable {
 
   void Clear();
   Word* AddRow();
+
+  /// A batch takes the place of the rows: BeginBatch, SetRow for each fact, EndBatch. Numbers are
+  /// written where those of the batch before stood, and an index outlives a batch that leaves its
+  /// column as it was.
+  void BeginBatch() {
+    filled_ = 0;
+    changed_ = false;
+  }
+  /// How many terms in `terms` are of no use any more.
+  std::size_t SetRow(const logic::Fact& fact, Functors& functors, Arena& terms);
+  /// True when the batch differs from the one before.
+  bool EndBatch();
+  std::size_t arity() const { return arity_; }
   std::uint32_t rows() const { return rows_; }
   const Word* row(std::uint32_t index) const { return cells_.data() + std::size_t{index} * arity_; }
 
@@ -46,9 +61,15 @@ class FactTable {
     std::vector<std::uint32_t> next;   ///< By row.
   };
   void Build(std::size_t index);
+  void NoteChange(std::size_t column) {
+    columns_[column].built = false;
+    changed_ = true;
+  }
 
   std::size_t arity_;
   std::uint32_t rows_ = 0;
+  std::uint32_t filled_ = 0;
+  bool changed_ = false;
   std::vector<Word> cells_;
   std::vector<Column> columns_;
 };
@@ -61,15 +82,23 @@ class FactSource {
   const std::string& name() const { return name_; }
   bool enabled = true;
   bool is_latch = false;
+  bool is_scratch = false;  ///< What it holds is gone before the next decision.
   std::uint64_t version = 0;
   bool loaded = false;
 
  private:
   friend class FactStore;
+  struct Entry {
+    logic::PredicateName name;
+    PredicateId predicate;
+    std::unique_ptr<FactTable> table;
+  };
   std::string name_;
   std::size_t order_;
   Arena terms_;
-  std::vector<std::pair<PredicateId, std::unique_ptr<FactTable>>> tables_;
+  std::vector<Entry> tables_;
+  std::size_t last_ = 0;     ///< The table used last.
+  std::size_t garbage_ = 0;  ///< Terms that lie about in terms_.
 };
 
 /// All facts that the engine may use, by predicate and source.
@@ -86,6 +115,16 @@ class FactStore {
   /// Adds a fact; true when its predicate had no facts before in any source (what is reachable may
   /// have changed).
   bool Add(FactSource& source, const logic::Fact& fact);
+  /// Makes these the facts of the source; true as with Add. Costs what differs from the facts
+  /// before.
+  bool Replace(FactSource& source, std::span<const logic::Fact> facts);
+
+  /// Counts changes of facts. What was found out at one time stands while no predicate that it
+  /// rests on has changed since.
+  std::uint64_t now() const { return now_; }
+  bool ChangedSince(PredicateId predicate, std::uint64_t time) const {
+    return predicate < changed_at_.size() && changed_at_[predicate] > time;
+  }
 
   struct Entry {
     FactSource* source;
@@ -97,12 +136,17 @@ class FactStore {
   }
 
  private:
-  FactTable& TableOf(FactSource& source, PredicateId predicate, std::size_t arity);
+  FactSource::Entry& EntryOf(FactSource& source, const logic::PredicateName& name);
+  FactSource::Entry& AddTable(FactSource& source, const logic::PredicateName& name);
+  bool NoteFacts(PredicateId predicate);
+  void NoteChange(const FactSource& source, PredicateId predicate);
 
   Predicates* predicates_;
   Functors* functors_;
   std::vector<std::unique_ptr<FactSource>> sources_;
   std::vector<std::vector<Entry>> by_predicate_;
+  std::uint64_t now_ = 0;
+  std::vector<std::uint64_t> changed_at_;  ///< By predicate.
 };
 
 }  // namespace latchwork::pttp

@@ -2,8 +2,11 @@
 // The searches inside a search: closing a minimized predicate, computing an attachment.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "reasoners/pttp/engine.h"
 
@@ -27,38 +30,33 @@ class Engine::ProvedSink final : public ProofSink {
   bool Accept(const Proof& /*proof*/) override { return true; }
 };
 
-/// Hands each distinct answer of a query on.
-class Engine::AnswerForwarder final : public ProofSink {
+/// Keeps each distinct answer of a query that an attachment asks.
+class Engine::AnswerKeeper final : public ProofSink {
  public:
-  AnswerForwarder(Engine& engine, Nest& nest, std::size_t variables, sdk::AnswerSink& sink)
-      : engine_(engine), nest_(nest), variables_(variables), sink_(sink) {}
+  AnswerKeeper(Engine& engine, VariantTable& known, AskedQuery& asked)
+      : engine_(engine), known_(known), asked_(asked) {}
 
   bool Accept(const Proof& proof) override {
-    const auto found = nest_.answers.Enter(0, {proof.slots, variables_});
+    const auto found = known_.Enter(0, {proof.slots, asked_.variables});
     if (!found.ground) {
       engine_.bound_hit_ = true;
       return false;
     }
     if (!found.added) return false;
-    nest_.terms.clear();
-    for (std::size_t i = 0; i < variables_; ++i) {
-      nest_.terms.push_back(engine_.Value(proof.slots[i], engine_.variables_));
+    for (std::size_t i = 0; i < asked_.variables; ++i) {
+      asked_.answers.push_back(engine_.Value(proof.slots[i], engine_.variables_));
     }
-    if (engine_.computing_ != nullptr) {
-      for (const Resting* resting = proof.resting; resting != nullptr;
-           resting = resting->previous) {
-        engine_.computing_->assumptions.push_back(resting->assumption);
-      }
+    ++asked_.count;
+    for (const Resting* resting = proof.resting; resting != nullptr; resting = resting->previous) {
+      asked_.assumptions.push_back(resting->assumption);
     }
-    sink_.Answer(nest_.terms);
     return false;
   }
 
  private:
   Engine& engine_;
-  Nest& nest_;
-  std::size_t variables_;
-  sdk::AnswerSink& sink_;
+  VariantTable& known_;
+  AskedQuery& asked_;
 };
 
 /// Turns the outputs of an attachment into rows.
@@ -121,55 +119,143 @@ Closing Engine::Close(PredicateId predicate, std::span<const Word> arguments) {
   } else if (closings_[found.entry].open) {
     NoteObstacle("a default rests on itself: closing needs the closing of", predicate);
   }
-  return closings_[found.entry].closing;
+  const Closing& closing = closings_[found.entry].closing;
+  if (closing.result != Closing::Result::kUndetermined) {
+    asked_assumptions_.push_back(closing.assumption);
+  }
+  return closing;
+}
+
+Query& Engine::ClosingQuery(PredicateId predicate) {
+  if (predicate >= closing_queries_.size()) closing_queries_.resize(predicate + 1);
+  auto& query = closing_queries_[predicate];
+  if (query != nullptr) return *query;
+  query = std::make_unique<Query>();
+  query->is_given = true;
+  const auto arity = static_cast<std::uint32_t>(predicates_[predicate].name.arity);
+  Word* arguments = query->terms.Allocate(arity);
+  for (std::uint32_t i = 0; i < arity; ++i) arguments[i] = SlotWord(i);
+  query->clause.slots = arity;
+  query->clause.body.push_back({predicate, true, arity, arguments, 0, 0});
+  return *query;
+}
+
+SearchEnd Engine::CloseBySearch(PredicateId predicate, Query& query,
+                                std::span<const Word> arguments, std::uint32_t depth) {
+  const NestGuard guard(*this);
+  Nest* nest = EnterNest();
+  if (nest == nullptr) return SearchEnd::kUndetermined;
+  Contrapositive& start = nest->start;
+  start.body.assign(1,
+                    CompiledLiteral{predicate, true, static_cast<std::uint32_t>(arguments.size()),
+                                    arguments.data(), 0, 0});
+  nest->request.starts.assign(1, &start);
+  nest->request.reach = query.reach;
+  nest->request.depth = depth;
+  ProvedSink sink;
+  const std::string& obstacle = obstacle_;
+  const bool was_clear = obstacle.empty();
+  const SearchEnd end = nest->machine.Search(nest->request, sink);
+  if (end == SearchEnd::kAccepted) {
+    if (was_clear) obstacle_.clear();
+  } else if (nest->machine.floundered()) {
+    NoteEnd(SearchEnd::kUndetermined, nest->machine);
+  }
+  return end;
 }
 
 Closing Engine::CloseAnew(PredicateId predicate, std::span<const Word> arguments) {
-  const NestGuard guard(*this);
-  Nest* nest = EnterNest();
-  if (nest == nullptr) return {};
-  nest->query.has_head = false;
-  nest->query.slots = 0;
-  nest->query.body.assign(
-      1, CompiledLiteral{predicate, true, static_cast<std::uint32_t>(arguments.size()),
-                         arguments.data(), 0, 0});
-  nest->request.starts.assign(1, &nest->query);
-  nest->request.reach = &ReachFor(nest->request.starts, true);
+  Query& query = ClosingQuery(predicate);
   const std::uint32_t bound = predicates_[predicate].minimized.value_or(0);
-  nest->request.depth = bound == 0 ? meter_.budget().depth : bound;
-  ProvedSink sink;
-  const std::string obstacle = obstacle_;
-  const SearchEnd end = nest->request.reach->viable ? nest->machine.Search(nest->request, sink)
-                                                    : SearchEnd::kExhausted;
-  if (nest->machine.floundered() && end != SearchEnd::kAccepted) {
-    NoteEnd(SearchEnd::kUndetermined, nest->machine);
+  SearchEnd end = SearchEnd::kExhausted;
+  if (Prepare(query)) {
+    const std::uint32_t depth = bound == 0 ? meter_.budget().depth : bound;
+    const bool unbounded = bound == 0 || (!query.reach->recursive && query.reach->height < bound);
+    ProvedSink sink;
+    const auto tabled = unbounded ? SolveByTables(query, arguments, sink) : std::nullopt;
+    end = tabled ? *tabled : CloseBySearch(predicate, query, arguments, depth);
   }
+  nested_seen_.AddAll(query.reach->sees);
   if (end == SearchEnd::kStopped || end == SearchEnd::kUndetermined) return {};
-  if (end == SearchEnd::kAccepted) obstacle_ = obstacle;
+  const CompiledLiteral atom{predicate,        true, static_cast<std::uint32_t>(arguments.size()),
+                             arguments.data(), 0,    0};
+  sdk::Assumption assumption;
+  assumption.state = StateOf(end);
+  assumption.atom = Instance(atom, nullptr);
   Closing closing;
   closing.result =
       end == SearchEnd::kAccepted ? Closing::Result::kProved : Closing::Result::kAssumedFalse;
   closing.assumption = assumptions_.size();
-  sdk::Assumption assumption;
-  assumption.state = StateOf(end);
-  assumption.atom = Instance(nest->query.body.front(), nullptr);
-  assumptions_.push_back(std::move(assumption));
+  for (std::size_t i = 0; i < adopted_; ++i) {
+    if (assumptions_[i].atom == assumption.atom) closing.assumption = i;
+  }
+  if (closing.assumption == assumptions_.size()) assumptions_.push_back(std::move(assumption));
   return closing;
+}
+
+namespace {
+
+std::uint64_t HashOf(std::span<const logic::Literal> literals) {
+  std::uint64_t hash = literals.size();
+  for (const logic::Literal& literal : literals) {
+    hash = MixHash(hash, literal.atom.predicate().index());
+    for (const logic::Term& argument : literal.atom.arguments()) {
+      using Kind = logic::Term::Kind;
+      hash = MixHash(hash, static_cast<std::uint64_t>(argument.kind()));
+      if (argument.kind() == Kind::kConstant) hash = MixHash(hash, argument.symbol().index());
+      if (argument.is_number()) hash = MixHash(hash, std::bit_cast<Word>(argument.number()));
+    }
+  }
+  return hash;
+}
+
+}  // namespace
+
+AskedQuery& Engine::FindAsked(std::span<const logic::Literal> literals, std::size_t variables) {
+  const std::uint64_t hash = HashOf(literals);
+  const auto [first, last] = asked_.equal_range(hash);
+  for (auto known = first; known != last; ++known) {
+    AskedQuery& asked = *known->second;
+    if (asked.variables == variables && std::equal(literals.begin(), literals.end(),
+                                                   asked.literals.begin(), asked.literals.end())) {
+      return asked;
+    }
+  }
+  auto asked = std::make_unique<AskedQuery>();
+  asked->literals.assign(literals.begin(), literals.end());
+  asked->variables = variables;
+  CompileQuery(literals, variables, asked->query.terms, asked->query.clause);
+  return *asked_.emplace(hash, std::move(asked))->second;
+}
+
+void Engine::AskAnew(AskedQuery& asked) {
+  const NestGuard guard(*this);
+  asked.answers.clear();
+  asked.assumptions.clear();
+  asked.count = 0;
+  asked.answered = false;
+  asked.decision = decision_;
+  Nest* nest = EnterNest();
+  if (nest == nullptr) return;
+  nest->answers.Clear();
+  AnswerKeeper keeper(*this, nest->answers, asked);
+  const SearchEnd end = Solve(asked.query, Wanted::kAll, meter_.budget().depth, keeper);
+  nested_seen_.AddAll(asked.query.reach->sees);
+  if (end == SearchEnd::kDepth) bound_hit_ = true;
+  asked.answered = end == SearchEnd::kExhausted;
 }
 
 void Engine::ForEachProvable(std::span<const logic::Literal> query, std::size_t variables,
                              sdk::AnswerSink& sink) {
-  const NestGuard guard(*this);
-  Nest* nest = EnterNest();
-  if (nest == nullptr) return;
-  compiler_.CompileQuery(query, variables, heap_, nest->query);
-  nest->request.starts.assign(1, &nest->query);
-  nest->request.reach = &ReachFor(nest->request.starts, true);
-  nest->request.depth = meter_.budget().depth;
-  nest->answers.Clear();
-  AnswerForwarder forwarder(*this, *nest, variables, sink);
-  if (!nest->request.reach->viable) return;
-  NoteEnd(nest->machine.Search(nest->request, forwarder), nest->machine);
+  AskedQuery& asked = FindAsked(query, variables);
+  if (asked.decision != decision_ || !asked.answered) AskAnew(asked);
+  if (computing_ != nullptr) {
+    computing_->assumptions.insert(computing_->assumptions.end(), asked.assumptions.begin(),
+                                   asked.assumptions.end());
+  }
+  for (std::size_t i = 0; i < asked.count; ++i) {
+    sink.Answer({asked.answers.data() + i * variables, variables});
+  }
 }
 
 bool Engine::InputsFit(const sdk::Attachment::Signature& signature,

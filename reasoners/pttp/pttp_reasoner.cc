@@ -12,7 +12,7 @@ namespace latchwork::pttp {
 
 std::span<const sdk::ParameterSpec> PttpReasoner::parameters() const {
   using Type = sdk::ParameterType;
-  static const std::array<sdk::ParameterSpec, 6> table{{
+  static const std::array<sdk::ParameterSpec, 7> table{{
       {.name = "unique_names",
        .type = Type::kBoolean,
        .default_value = "false",
@@ -36,7 +36,13 @@ std::span<const sdk::ParameterSpec> PttpReasoner::parameters() const {
        .type = Type::kBoolean,
        .default_value = "true",
        .unit = "",
-       .help = "the last decision stands while no latch changes",
+       .help = "what was decided of a goal stands while no fact that it can see changes",
+       .choices = {}},
+      {.name = "tables",
+       .type = Type::kBoolean,
+       .default_value = "true",
+       .unit = "",
+       .help = "goals whose clauses allow it are answered from tables instead of by search",
        .choices = {}},
       {.name = "reorder",
        .type = Type::kBoolean,
@@ -66,6 +72,7 @@ logic::Diagnostics PttpReasoner::Load(const sdk::Body& body, const sdk::Paramete
   options.unique_names = parameters.Boolean("unique_names");
   options.reorder = parameters.Boolean("reorder");
   options.cache_attachments = parameters.Boolean("cache_attachments");
+  options.tables = parameters.Boolean("tables");
   cache_decisions_ = parameters.Boolean("cache_decisions");
   equality_axioms_ = parameters.Boolean("equality_axioms");
   consistency_inferences_ =
@@ -75,24 +82,38 @@ logic::Diagnostics PttpReasoner::Load(const sdk::Body& body, const sdk::Paramete
   for (const auto& minimized : body_.minimized) engine_->DeclareMinimized(minimized);
   for (const auto& attachment : body_.attachments) engine_->DeclareAttachment(attachment, symbols);
   admitted_ = engine_->AddSource("admitted");
-  engine_->source(admitted_).is_latch = true;
+  engine_->source(admitted_).is_latch = engine_->source(admitted_).is_scratch = true;
   sources_.clear();
+  CompileGoals();
   Recompile();
-  goals_.resize(body_.goals.size());
-  for (std::size_t i = 0; i < goals_.size(); ++i) {
-    const logic::Literal literal{true, body_.goals[i].pattern};
-    engine_->CompileQuery({&literal, 1}, body_.goals[i].variables, goal_terms_, goals_[i]);
-  }
   return {};
+}
+
+void PttpReasoner::CompileGoals() {
+  goals_.clear();
+  for (const sdk::Goal& goal : body_.goals) {
+    const logic::Literal literal{true, goal.pattern};
+    Query& query = *goals_.emplace_back(std::make_unique<Query>());
+    engine_->CompileQuery({&literal, 1}, goal.variables, query.terms, query.clause);
+  }
+  memories_.assign(goals_.size(), {});
 }
 
 void PttpReasoner::Recompile() {
   engine_->SetTheory(theory_->Clauses(equality_axioms_), body_.facts);
-  consistency_request_.starts.clear();
+  denials_.clear();
   for (const Contrapositive& start : engine_->program().negatives()) {
-    const std::array<const Contrapositive*, 1> starts{&start};
-    if (engine_->ReachFor(starts, false).viable) consistency_request_.starts.push_back(&start);
+    auto denial = std::make_unique<Denial>();
+    denial->query.clause = start;
+    denial->query.closing = false;
+    if (engine_->Prepare(denial->query)) denials_.push_back(std::move(denial));
   }
+  VoidMemory();
+}
+
+void PttpReasoner::VoidMemory() {
+  for (GoalMemory& memory : memories_) memory.validity.Void();
+  for (const auto& denial : denials_) denial->unrefuted.Void();
   decided_ = explainable_ = false;
 }
 
@@ -129,12 +150,9 @@ bool PttpReasoner::MayReuse(const sdk::Budget& budget) const {
          budget.depth == last_budget_.depth;
 }
 
-SearchRequest PttpReasoner::RequestFor(std::size_t goal) {
-  SearchRequest request;
-  request.starts.assign(1, &goals_[goal]);
-  request.reach = &engine_->ReachFor(request.starts, true);
-  request.depth = last_budget_.depth;
-  return request;
+sdk::Conclusion& PttpReasoner::AddConclusion(sdk::Decision& decision) {
+  if (conclusions_ == decision.conclusions.size()) decision.conclusions.emplace_back();
+  return decision.conclusions[conclusions_++];
 }
 
 /// Turns proofs of a goal into conclusions, writing over those of the cycle before.
@@ -144,7 +162,7 @@ class PttpReasoner::GoalSink final : public ProofSink {
       : reasoner_(reasoner), goal_(goal), decision_(decision) {}
 
   bool Accept(const Proof& proof) override {
-    const Contrapositive& start = reasoner_.goals_[goal_];
+    const Contrapositive& start = reasoner_.goals_[goal_]->clause;
     if (!reasoner_.answers_.Enter(goal_, {proof.slots, start.slots}).added) return false;
     logic::Fact fact = reasoner_.engine_->Instance(start.body.front(), proof.slots);
     if (!fact.is_ground()) {
@@ -152,10 +170,7 @@ class PttpReasoner::GoalSink final : public ProofSink {
           fmt::format("{} was proved for every value, which is no fact", ToString(fact));
       return false;
     }
-    if (reasoner_.conclusions_ == decision_.conclusions.size()) {
-      decision_.conclusions.emplace_back();
-    }
-    sdk::Conclusion& conclusion = decision_.conclusions[reasoner_.conclusions_++];
+    sdk::Conclusion& conclusion = reasoner_.AddConclusion(decision_);
     conclusion.goal = goal_;
     conclusion.fact = std::move(fact);
     conclusion.assumptions.clear();
@@ -176,16 +191,70 @@ class PttpReasoner::GoalSink final : public ProofSink {
 };
 
 void PttpReasoner::SolveGoal(std::size_t goal, sdk::Decision& decision) {
-  request_.starts.assign(1, &goals_[goal]);
-  request_.reach = &engine_->ReachFor(request_.starts, true);
-  request_.depth = last_budget_.depth;
-  if (!request_.reach->viable) return;
+  if (cache_decisions_ && memories_[goal].validity.Holds(*engine_)) return Recall(goal, decision);
+  memories_[goal].validity.Void();
+  const std::size_t first = conclusions_;
+  const auto wanted =
+      body_.goals[goal].answers == sdk::Goal::Answers::kFirst ? Wanted::kFirst : Wanted::kAll;
+  engine_->Watch();
   GoalSink sink(*this, goal, decision);
-  const SearchEnd end = engine_->Search(request_, sink);
-  undecided_ = undecided_ || (end != SearchEnd::kAccepted && end != SearchEnd::kExhausted);
+  const SearchEnd end = engine_->Solve(*goals_[goal], wanted, last_budget_.depth, sink);
+  const bool decided = end == SearchEnd::kAccepted || end == SearchEnd::kExhausted;
+  undecided_ = undecided_ || !decided;
   if (end == SearchEnd::kDepth && decision.limit == sdk::Limit::kNone) {
     decision.limit = sdk::Limit::kDepth;
   }
+  const bool certain = decided && !engine_->bound_hit() && engine_->obstacle().empty() &&
+                       !engine_->meter().stopped() && decision.message.empty();
+  if (cache_decisions_ && certain) Remember(goal, first, decision);
+}
+
+namespace {
+
+/// The next place of a list that only grows, so that its elements' memory is reused.
+template <typename Element>
+Element& Next(std::vector<Element>& elements, std::size_t& count) {
+  if (count == elements.size()) elements.emplace_back();
+  return elements[count++];
+}
+
+}  // namespace
+
+void PttpReasoner::Remember(std::size_t goal, std::size_t first, const sdk::Decision& decision) {
+  GoalMemory& memory = memories_[goal];
+  memory.validity.Set(*engine_);
+  memory.conclusion_count = memory.assumption_count = 0;
+  memory.depth = decision.statistics.depth;
+  const auto& assumptions = engine_->assumptions();
+  place_.assign(assumptions.size(), assumptions.size());
+  const auto keep = [&](std::size_t assumption) {
+    if (place_[assumption] == assumptions.size()) {
+      place_[assumption] = memory.assumption_count;
+      Next(memory.assumptions, memory.assumption_count) = assumptions[assumption];
+    }
+    return place_[assumption];
+  };
+  for (const std::size_t asked : engine_->asked_assumptions()) keep(asked);
+  for (std::size_t i = first; i < conclusions_; ++i) {
+    sdk::Conclusion& kept = Next(memory.conclusions, memory.conclusion_count);
+    kept = decision.conclusions[i];
+    for (std::size_t& assumption : kept.assumptions) assumption = keep(assumption);
+  }
+}
+
+void PttpReasoner::Recall(std::size_t goal, sdk::Decision& decision) {
+  const GoalMemory& memory = memories_[goal];
+  place_.clear();
+  for (std::size_t i = 0; i < memory.assumption_count; ++i) {
+    place_.push_back(engine_->Adopt(memory.assumptions[i]));
+  }
+  for (std::size_t i = 0; i < memory.conclusion_count; ++i) {
+    sdk::Conclusion& conclusion = AddConclusion(decision);
+    conclusion = memory.conclusions[i];
+    for (std::size_t& assumption : conclusion.assumptions) assumption = place_[assumption];
+    std::sort(conclusion.assumptions.begin(), conclusion.assumptions.end());
+  }
+  decision.statistics.depth = std::max(decision.statistics.depth, memory.depth);
 }
 
 /// Learns what a contradiction rests on.
@@ -213,22 +282,38 @@ class PttpReasoner::ConflictSink final : public ProofSink {
   const Engine& engine_;
 };
 
+namespace {
+
+class AnyProof final : public ProofSink {
+ public:
+  bool Accept(const Proof& /*proof*/) override { return true; }
+};
+
+}  // namespace
+
+bool PttpReasoner::Refutes(Denial& denial) {
+  if (denial.unrefuted.Holds(*engine_)) return false;
+  denial.unrefuted.Void();
+  engine_->Watch();
+  engine_->meter().LowerCeiling(consistency_inferences_);
+  AnyProof sink;
+  const SearchEnd end = engine_->Solve(denial.query, Wanted::kAll, last_budget_.depth, sink);
+  engine_->meter().RestoreCeiling();
+  if (end == SearchEnd::kAccepted) return true;
+  if (!engine_->meter().stopped()) denial.unrefuted.Set(*engine_);
+  return false;
+}
+
 bool PttpReasoner::IsConsistent(sdk::Decision& decision) {
-  if (consistency_inferences_ == 0 || consistency_request_.starts.empty()) return true;
-  for (const Contrapositive* start : consistency_request_.starts) {
-    request_.starts.assign(1, start);
-    request_.reach = &engine_->ReachFor(request_.starts, false);
-    request_.depth = last_budget_.depth;
-    request_.record = true;
-    engine_->meter().LowerCeiling(consistency_inferences_);
+  if (consistency_inferences_ == 0) return true;
+  for (const auto& denial : denials_) {
+    if (!Refutes(*denial)) continue;
     ConflictSink sink(*engine_);
-    const SearchEnd end = engine_->Search(request_, sink);
-    engine_->meter().RestoreCeiling();
-    request_.record = false;
-    if (end != SearchEnd::kAccepted) continue;
+    engine_->SolveWithSteps(denial->query, last_budget_.depth, sink);
+    const std::uint32_t clause = denial->query.clause.clause;
     decision.status = sdk::Status::kInconsistent;
     decision.message = "body and latches contradict each other: " +
-                       sink.Describe(engine_->program().clauses()[start->clause].name);
+                       sink.Describe(engine_->program().clauses()[clause].name);
     return false;
   }
   return true;
@@ -253,6 +338,15 @@ void PttpReasoner::Finish(sdk::Decision& decision) {
   }
 }
 
+void PttpReasoner::Begin(const sdk::Budget& budget) {
+  // What was found within one bound need not hold within another.
+  if (budget.depth != last_budget_.depth || budget.inferences != last_budget_.inferences) {
+    VoidMemory();
+  }
+  last_budget_ = budget;
+  engine_->Begin(budget);
+}
+
 void PttpReasoner::Decide(std::span<const sdk::Latch> latches, const sdk::Budget& budget,
                           sdk::Decision& decision) {
   if (!LoadLatches(latches) && MayReuse(budget)) {
@@ -260,8 +354,7 @@ void PttpReasoner::Decide(std::span<const sdk::Latch> latches, const sdk::Budget
     return;
   }
   decided_ = false;
-  last_budget_ = budget;
-  engine_->Begin(budget);
+  Begin(budget);
   conclusions_ = 0;
   undecided_ = false;
   answers_.Clear();
@@ -281,23 +374,19 @@ void PttpReasoner::Decide(std::span<const sdk::Latch> latches, const sdk::Budget
   decided_ = decision.limit != sdk::Limit::kTime && decision.limit != sdk::Limit::kCancelled;
 }
 
-/// Finds the proof of one conclusion again, this time with its steps.
+/// Writes down the first proof.
 class PttpReasoner::ExplainSink final : public ProofSink {
  public:
-  ExplainSink(Engine& engine, const CompiledLiteral& goal, const logic::Fact& fact)
-      : engine_(engine), goal_(goal), fact_(fact) {}
+  explicit ExplainSink(const Engine& engine) : engine_(engine) {}
 
   bool Accept(const Proof& proof) override {
-    if (engine_.Instance(goal_, proof.slots) != fact_) return false;
     derivation = MakeDerivation(proof, engine_);
     return true;
   }
   sdk::Derivation derivation;
 
  private:
-  Engine& engine_;
-  const CompiledLiteral& goal_;
-  const logic::Fact& fact_;
+  const Engine& engine_;
 };
 
 sdk::Derivation PttpReasoner::Explain(std::size_t conclusion) {
@@ -307,10 +396,11 @@ sdk::Derivation PttpReasoner::Explain(std::size_t conclusion) {
   budget.cancelled = nullptr;
   engine_->Begin(budget);
   const sdk::Conclusion& wanted = last_.conclusions[conclusion];
-  SearchRequest request = RequestFor(wanted.goal);
-  request.record = true;
-  ExplainSink sink(*engine_, goals_[wanted.goal].body.front(), wanted.fact);
-  engine_->Search(request, sink);
+  const logic::Literal literal{true, wanted.fact};
+  Query query;
+  engine_->CompileQuery({&literal, 1}, 0, query.terms, query.clause);
+  ExplainSink sink(*engine_);
+  engine_->SolveWithSteps(query, budget.depth, sink);
   return std::move(sink.derivation);
 }
 
@@ -339,16 +429,14 @@ class SourceSwap {
 
 }  // namespace
 
-std::string PttpReasoner::Conflict(const logic::Fact& fact, SearchRequest& request) {
+std::string PttpReasoner::Conflict(const logic::Fact& fact, std::uint32_t depth) {
   const logic::Literal denial{false, fact};
-  Contrapositive query;
-  Arena terms;
-  engine_->CompileQuery({&denial, 1}, 0, terms, query);
-  request.starts.assign(1, &query);
-  request.reach = &engine_->ReachFor(request.starts, false);
-  if (!request.reach->viable) return {};
+  denied_.terms.Clear();
+  denied_.closing = false;
+  denied_.reach_version = 0;
+  engine_->CompileQuery({&denial, 1}, 0, denied_.terms, denied_.clause);
   ConflictSink sink(*engine_);
-  if (engine_->Search(request, sink) != SearchEnd::kAccepted) return {};
+  if (engine_->SolveWithSteps(denied_, depth, sink) != SearchEnd::kAccepted) return {};
   return "contradicts " + sink.Describe(sink.derivation.steps.back().source);
 }
 
@@ -358,12 +446,9 @@ void PttpReasoner::Admit(std::span<const sdk::Latch> latches, std::size_t port,
   if (!engine_->program().HasNegativeHeads()) return;
   if (LoadLatches(latches)) decided_ = explainable_ = false;
   const SourceSwap swap(*engine_, sources_.at(port), admitted_);
-  SearchRequest request;
-  request.depth = budget.depth;
-  request.record = true;
   for (std::size_t i = 0; i < batch.size(); ++i) {
     engine_->Begin(budget);
-    if (std::string reason = Conflict(batch[i], request); !reason.empty()) {
+    if (std::string reason = Conflict(batch[i], budget.depth); !reason.empty()) {
       refused.push_back({i, std::move(reason)});
     } else {
       engine_->AddFact(admitted_, batch[i]);

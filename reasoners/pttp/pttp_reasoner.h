@@ -11,6 +11,8 @@
 
 #include "latchwork/sdk/reasoner.h"
 #include "reasoners/pttp/engine.h"
+#include "reasoners/pttp/goal_memory.h"
+#include "reasoners/pttp/query.h"
 #include "reasoners/pttp/theory.h"
 
 namespace latchwork::pttp {
@@ -39,24 +41,36 @@ class PttpReasoner final : public sdk::Reasoner {
   class ExplainSink;
   class ConflictSink;
 
+  /// A clause without a positive literal: what refutes it shows a contradiction.
+  struct Denial {
+    Query query;
+    Validity unrefuted;
+  };
+
   bool LoadLatches(std::span<const sdk::Latch> latches);
   bool MayReuse(const sdk::Budget& budget) const;
   bool IsConsistent(sdk::Decision& decision);
+  bool Refutes(Denial& denial);
   void SolveGoal(std::size_t goal, sdk::Decision& decision);
+  void Remember(std::size_t goal, std::size_t first, const sdk::Decision& decision);
+  void Recall(std::size_t goal, sdk::Decision& decision);
+  sdk::Conclusion& AddConclusion(sdk::Decision& decision);
+  void Begin(const sdk::Budget& budget);
   void Finish(sdk::Decision& decision);
   void Recompile();
-  std::string Conflict(const logic::Fact& fact, SearchRequest& request);
-  SearchRequest RequestFor(std::size_t goal);
+  void CompileGoals();
+  void VoidMemory();
+  std::string Conflict(const logic::Fact& fact, std::uint32_t depth);
 
   sdk::Body body_;
   std::unique_ptr<Theory> theory_;
   std::unique_ptr<Engine> engine_;
-  Arena goal_terms_;
-  std::vector<Contrapositive> goals_;
+  std::vector<std::unique_ptr<Query>> goals_;
+  std::vector<GoalMemory> memories_;  ///< By goal.
+  std::vector<std::unique_ptr<Denial>> denials_;
   std::vector<std::size_t> sources_;  ///< One per latch.
   std::size_t admitted_ = 0;          ///< The source that Admit fills.
-  SearchRequest request_;
-  SearchRequest consistency_request_;
+  Query denied_;                      ///< The denial of a fact that Admit looks at.
   VariantTable answers_;
   std::uint64_t consistency_inferences_ = 0;
   bool cache_decisions_ = true;
@@ -67,6 +81,7 @@ class PttpReasoner final : public sdk::Reasoner {
   sdk::Budget last_budget_;
   sdk::Decision last_;
   std::size_t conclusions_ = 0;
+  std::vector<std::size_t> place_;  ///< Of assumptions.
   bool undecided_ = false;
 };
 

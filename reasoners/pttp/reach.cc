@@ -135,6 +135,13 @@ class ReachFinder {
     reach_.reduction_free =
         std::none_of(meets_.begin(), meets_.end(), [](bool meets) { return meets; });
     reach_.recursive = SortByHeight() < count_;
+    for (std::uint32_t key = 0; key < count_; ++key) {
+      if (!reachable_[key]) continue;
+      const Predicates::Info& info = predicates_[key / 2];
+      if ((key & 1U) != 0) reach_.sees.Add(key / 2);
+      reach_.asks = reach_.asks || info.kind == PredicateKind::kAttachment ||
+                    ((key & 1U) == 0 && info.minimized && reach_.closing);
+    }
   }
 
   /// Kahn (1962): what cannot be sorted topologically lies on or behind a cycle. Says how many

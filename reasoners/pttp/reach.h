@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "reasoners/pttp/predicate_set.h"
 #include "reasoners/pttp/predicates.h"
 #include "reasoners/pttp/program.h"
 
@@ -22,6 +23,8 @@ struct Reach {
   bool recursive = false;        ///< A goal can lead to a goal of its own predicate.
   std::uint32_t height = 0;      ///< Longest chain of goals below a goal; when not recursive.
   bool closing = true;           ///< Minimized predicates are closed.
+  PredicateSet sees;             ///< Whose facts it may use.
+  bool asks = false;             ///< Closings or attachments may see more.
 
   std::span<const Contrapositive* const> RulesFor(std::uint32_t signed_predicate) const {
     if (signed_predicate >= rules.size()) return {};

@@ -4,11 +4,9 @@
 // world.
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -16,31 +14,15 @@
 #include <utility>
 #include <vector>
 
-#include "latchwork/config/agent.h"
-#include "latchwork/plugin/registry.h"
-#include "latchwork/schedule/agent.h"
 #include "latchwork/schedule/lockstep.h"
 #include "latchwork/sdk/random.h"
+#include "tests/bench/cpu_clock.h"
+#include "tests/bench/office_agent.h"
 
 namespace latchwork {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-plugin::Registry MakeRegistry() {
-  return plugin::Registry({std::filesystem::path(LATCHWORK_BINARY_DIR) / "plugins"});
-}
-
-std::optional<schedule::Agent> MakeAgent(const std::string& file, const plugin::Registry& registry,
-                                         logic::SymbolTable& symbols, std::uint64_t seed) {
-  config::AgentFile read =
-      config::ReadAgentFile(std::filesystem::path(LATCHWORK_SOURCE_DIR) / "examples/office" / file,
-                            schedule::MakeCatalog(registry), {}, symbols);
-  if (!read.agent) return std::nullopt;
-  return schedule::AssembleAgent(std::move(*read.agent), schedule::MakePartFactory(registry),
-                                 symbols, seed)
-      .agent;
-}
 
 /// Sonar batches of a ring that turns in a furnished room; no two cycles hear the same.
 class SonarRing {
@@ -97,13 +79,6 @@ sdk::Latch PushLatch(logic::SymbolTable& symbols) {
           1};
 }
 
-void Percentiles(std::vector<double>& micros, benchmark::State& state) {
-  std::sort(micros.begin(), micros.end());
-  state.counters["p50_us"] = micros[micros.size() / 2];
-  state.counters["p99_us"] = micros[micros.size() * 99 / 100];
-  state.counters["max_us"] = micros.back();
-}
-
 /// Layer 0 with new readings in every cycle and a push from above.
 void AvoidDecides(benchmark::State& state) {
   const int sonars = static_cast<int>(state.range(0));
@@ -119,17 +94,17 @@ void AvoidDecides(benchmark::State& state) {
   budget.inferences = agent->description.layers[0].reasoner.inferences;
   budget.depth = agent->description.layers[0].reasoner.depth;
   sdk::Decision decision;
-  std::vector<double> micros;
+  Sample micros;
   std::uint64_t cycle = 0;
   for (auto _ : state) {
     ring.Fill(++cycle, latches[0]);
-    const auto start = Clock::now();
+    const double start = ThreadSeconds();
     reasoner.Decide(latches, budget, decision);
-    const std::chrono::duration<double> taken = Clock::now() - start;
-    state.SetIterationTime(taken.count());
-    micros.push_back(taken.count() * 1e6);
+    const double taken = ThreadSeconds() - start;
+    state.SetIterationTime(taken);
+    micros.Add(taken * 1e6);
   }
-  Percentiles(micros, state);
+  micros.Report("us", state);
   state.counters["inferences"] = static_cast<double>(decision.statistics.inferences);
 }
 BENCHMARK(AvoidDecides)->Arg(16)->Arg(24)->UseManualTime()->Unit(benchmark::kMicrosecond);
