@@ -14,8 +14,7 @@ void CollectSubterms(const Terms& terms, TermId root, std::vector<TermId>& found
     }
   }
   std::ranges::sort(found);
-  const auto rest = std::ranges::unique(found);
-  found.erase(rest.begin(), rest.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
 ActiveSet::ActiveSet(const Terms& terms, Clauses& clauses)

@@ -69,8 +69,7 @@ void FingerprintIndex::Erase(std::span<const TermId> terms, ClauseId clause) {
   keys_.clear();
   for (const TermId term : terms) keys_.push_back(Fingerprint(term));
   std::ranges::sort(keys_);
-  const auto rest = std::ranges::unique(keys_);
-  keys_.erase(rest.begin(), rest.end());
+  keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
   for (const Trie::Key& key : keys_) {
     trie_.Erase(key, [&](const Occurrence& o) { return o.clause == clause; });
   }

@@ -80,12 +80,10 @@ class FixedTrie {
     if (level == Depth) {
       return std::any_of(nodes_[node].entries.begin(), nodes_[node].entries.end(), visit);
     }
-    for (const Child& child : nodes_[node].children) {
-      if (accept(level, child.part) && SearchFrom(child.node, level + 1, accept, visit)) {
-        return true;
-      }
-    }
-    return false;
+    const std::vector<Child>& children = nodes_[node].children;
+    return std::any_of(children.begin(), children.end(), [&](const Child& child) {
+      return accept(level, child.part) && SearchFrom(child.node, level + 1, accept, visit);
+    });
   }
 
   std::vector<Node> nodes_;

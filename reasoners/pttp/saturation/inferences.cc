@@ -53,7 +53,6 @@ void Inferences::Emit(std::size_t mark, ConclusionSink& sink) {
   fits_ = true;
 }
 
-// Whether the instance of this side is not the larger one.
 bool Inferences::IsSmaller(const Literal& literal, bool left, std::uint32_t bank) {
   if (literal.oriented) return !left;
   const TermId side = substitution_.Apply({Side(literal, left), bank});
@@ -170,6 +169,37 @@ void Inferences::SuperposeIntoSide(const Site& side, ConclusionSink& sink) {
   }
 }
 
+Literal Inferences::Instance(const Literal& literal, std::uint32_t bank) {
+  Literal instance;
+  instance.positive = literal.positive;
+  instance.left = substitution_.Apply({literal.left, bank});
+  instance.right = literal.is_equation() ? substitution_.Apply({literal.right, bank}) : kTrue;
+  return instance;
+}
+
+// A positive literal took part because it was maximal; whether the substitution left it so.
+bool Inferences::StaysMaximal(const Site& site, std::uint32_t bank, bool strictly) {
+  const auto literals = clauses_.literals(site.clause);
+  if (literals.size() == 1 || !literals[site.literal].positive) return true;
+  const Literal instance = Instance(literals[site.literal], bank);
+  for (std::uint32_t i = 0; i < literals.size(); ++i) {
+    if (i == site.literal) continue;
+    const Literal other = Instance(literals[i], bank);
+    if (other.left == kNoTerm || other.right == kNoTerm) return false;
+    const Order order = ordering_.Compare(other, instance);
+    if (order == Order::kGreater || (strictly && order == Order::kEqual)) return false;
+  }
+  return true;
+}
+
+bool Inferences::IsAllowed(const Site& from, const Site& into) {
+  const Literal& source = clauses_.literals(from.clause)[from.literal];
+  const Literal& target = clauses_.literals(into.clause)[into.literal];
+  return !(source.is_equation() && IsSmaller(source, from.left, 0)) &&
+         !(target.is_equation() && IsSmaller(target, into.left, 1)) &&
+         StaysMaximal(from, 0, true) && StaysMaximal(into, 1, false);
+}
+
 void Inferences::Superpose(const Site& from, const Site& into, ConclusionSink& sink) {
   const Literal source = clauses_.literals(from.clause)[from.literal];
   const Literal target = clauses_.literals(into.clause)[into.literal];
@@ -180,8 +210,7 @@ void Inferences::Superpose(const Site& from, const Site& into, ConclusionSink& s
   const std::size_t mark = terms_.Mark();
   const TermId to =
       source.is_equation() ? substitution_.Apply({Side(source, !from.left), 0}) : kTrue;
-  if (to == kNoTerm || (source.is_equation() && IsSmaller(source, from.left, 0)) ||
-      (target.is_equation() && IsSmaller(target, into.left, 1))) {
+  if (to == kNoTerm || !IsAllowed(from, into)) {
     terms_.Rollback(mark);
     return;
   }

@@ -56,6 +56,11 @@ class Inferences {
   void SuperposeInto(ClauseId given, ConclusionSink& sink);
   void SuperposeIntoSide(const Site& side, ConclusionSink& sink);
   void Superpose(const Site& from, const Site& into, ConclusionSink& sink);
+  Literal Instance(const Literal& literal, std::uint32_t bank);
+  bool StaysMaximal(const Site& site, std::uint32_t bank, bool strictly);
+  /// Whether the ordering still asks for the inference after unification.
+  bool IsAllowed(const Site& from, const Site& into);
+  /// The instance of this side is not the larger one.
   bool IsSmaller(const Literal& literal, bool left, std::uint32_t bank);
   void AddRest(ClauseId clause, std::uint32_t without, std::uint32_t bank);
   void AddInstance(const Literal& literal, std::uint32_t bank, Item from, TermId to);

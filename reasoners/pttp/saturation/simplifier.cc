@@ -228,8 +228,7 @@ void Simplifier::Backward(ClauseId id, std::vector<ClauseId>& subsumed,
   TouchInstances(id, literal, true, touched);
   if (literal.is_equation() && !literal.oriented) TouchInstances(id, literal, false, touched);
   std::ranges::sort(touched);
-  const auto rest = std::ranges::unique(touched);
-  touched.erase(rest.begin(), rest.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   std::erase_if(touched, [&](ClauseId t) { return std::ranges::binary_search(subsumed, t); });
 }
 

@@ -63,7 +63,7 @@ class FeatureIndex {
   std::size_t bytes() const { return trie_.bytes(); }
 
  private:
-  static constexpr std::size_t kClasses = 11;
+  static constexpr std::size_t kClasses = 7;
   static constexpr std::size_t kFeatures = 2 + 2 * kClasses;
   using Trie = FixedTrie<ClauseId, kFeatures>;
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "latchwork/logic/clause.h"
@@ -36,7 +37,9 @@ class Translation {
     Kind kind;
     std::uint64_t value;  ///< Index of the symbol, or the bits of the number.
     std::size_t arity;
-    friend auto operator<=>(const Name&, const Name&) = default;
+    friend bool operator<(const Name& a, const Name& b) {
+      return std::tie(a.kind, a.value, a.arity) < std::tie(b.kind, b.value, b.arity);
+    }
   };
   struct Source {
     logic::Term term;  ///< A constant or number; its symbol names functions and predicates, too.
@@ -51,8 +54,8 @@ class Translation {
   void Note(FunctorId functor);
   /// The unary function that occurs most often; 0 when there is none.
   FunctorId FrequentUnary() const;
-  TermId ReadTerm(const logic::Term& term);
-  logic::Term WriteTerm(TermId term) const;
+  TermId ReadTerm(const logic::Term& root);
+  logic::Term WriteTerm(TermId root) const;
   logic::Atom WriteAtom(const Literal& literal) const;
 
   Terms& terms_;
