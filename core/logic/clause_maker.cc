@@ -19,8 +19,13 @@ using Node = NormalTree::Node;
 
 ClauseMaker::ClauseMaker(const NormalTree& tree, const FreeVariableTable* free,
                          const std::vector<std::string>& variable_names, SymbolTable& symbols,
-                         WorkMeter& work)
-    : tree_(tree), free_(free), variable_names_(variable_names), symbols_(symbols), work_(work) {}
+                         WorkMeter& work, ClauseRecorder* recorder)
+    : tree_(tree),
+      free_(free),
+      variable_names_(variable_names),
+      symbols_(symbols),
+      work_(work),
+      recorder_(recorder) {}
 
 void ClauseMaker::Make(const std::vector<Signed>& disjunction,
                        const std::vector<Variable>& variables, const Clause& pattern,
@@ -31,7 +36,12 @@ void ClauseMaker::Make(const std::vector<Signed>& disjunction,
   numbers_.clear();
   numbered_.clear();
   for (const Variable variable : variables) FreshVariable(variable);
+  if (recorder_ != nullptr) recorder_->Begin();
   Expand(disjunction);
+  if (recorder_ != nullptr) {
+    recorder_->Junction(true, disjunction.size());
+    recorder_->Quantifier(true, variables, FreshFrom(0, variables.size()));
+  }
   for (const LiteralIndices& indices : done_) {
     if (work_.is_spent()) return;
     if (auto clause = Finish(indices, pattern)) clauses.push_back(*std::move(clause));
@@ -47,6 +57,7 @@ void ClauseMaker::Expand(const std::vector<Signed>& disjunction) {
       Frame& frame = open_.back();
       if (frame.next > 0 && frame.is_disjunction) Distribute(frame.first, frame.middle);
       if (frame.next == ChildCount(frame)) {
+        if (recorder_ != nullptr) Record(frame);
         scope_.resize(frame.scope);
         open_.pop_back();
         continue;
@@ -57,6 +68,22 @@ void ClauseMaker::Expand(const std::vector<Signed>& disjunction) {
     open_.clear();
     Distribute(0, middle);
   }
+}
+
+void ClauseMaker::Record(const Frame& frame) {
+  const Node& node = tree_.nodes[frame.item.id];
+  if (node.kind != Kind::kForall && node.kind != Kind::kExists) {
+    return recorder_->Junction(frame.is_disjunction, node.children.size());
+  }
+  const bool is_universal = (node.kind == Kind::kForall) == frame.item.positive;
+  const std::size_t count = is_universal ? node.variables.size() : 0;
+  recorder_->Quantifier(is_universal, node.variables, FreshFrom(frame.scope, count));
+}
+
+std::vector<Variable> ClauseMaker::FreshFrom(std::size_t scope, std::size_t count) const {
+  std::vector<Variable> fresh;
+  for (std::size_t i = 0; i < count; ++i) fresh.push_back(scope_[scope + i].variable());
+  return fresh;
 }
 
 bool ClauseMaker::IsDisjunction(const Item& item) const {
@@ -87,6 +114,7 @@ void ClauseMaker::Begin(const Item& item) {
     case Kind::kTrue:
     case Kind::kFalse:
       if ((node.kind == Kind::kTrue) != item.positive) done_.emplace_back();
+      if (recorder_ != nullptr) recorder_->Constant((node.kind == Kind::kTrue) == item.positive);
       return;
     case Kind::kLiteral:
       return AddLiteral(node, node.positive == item.positive);
@@ -128,6 +156,7 @@ Term ClauseMaker::SkolemTerm(Id quantifier) {
   std::vector<Term> arguments = free_ == nullptr ? scope_ : SkolemArguments(quantifier);
   work_.Spend(arguments.size() + 1);
   const Symbol symbol = symbols_.Fresh("sk_");
+  if (recorder_ != nullptr) recorder_->Skolem(symbol);
   if (arguments.empty()) return Term::Constant(symbol);
   return Term::Compound(symbol, std::move(arguments));
 }
@@ -164,6 +193,7 @@ std::vector<Term> ClauseMaker::SkolemArguments(Id quantifier) {
 void ClauseMaker::AddLiteral(const Node& node, bool positive) {
   done_.push_back({static_cast<std::uint32_t>(literals_.size())});
   literals_.push_back({positive, Substitute(*node.atom)});
+  if (recorder_ != nullptr) recorder_->Literal(positive, *node.atom, literals_.back().atom);
 }
 
 Atom ClauseMaker::Substitute(const Atom& atom) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/logic/clause_recorder.h"
 #include "core/logic/miniscope.h"
 #include "core/logic/normal_tree.h"
 #include "latchwork/logic/clause.h"
@@ -32,10 +33,11 @@ class WorkMeter {
 /// Turns the nodes of a tree into clauses: Skolemizes, distributes, and numbers variables densely.
 class ClauseMaker {
  public:
-  /// `free` may be null: Skolem functions then get all universal variables around them.
+  /// `free` may be null: Skolem functions then get all universal variables around them. `recorder`
+  /// may be null.
   ClauseMaker(const NormalTree& tree, const FreeVariableTable* free,
-              const std::vector<std::string>& variable_names, SymbolTable& symbols,
-              WorkMeter& work);
+              const std::vector<std::string>& variable_names, SymbolTable& symbols, WorkMeter& work,
+              ClauseRecorder* recorder);
 
   /// Appends the clauses of the disjunction of the nodes, each with its sign, universally closed
   /// over `variables`; `pattern` gives them name, role and place.
@@ -45,6 +47,8 @@ class ClauseMaker {
   };
   void Make(const std::vector<Signed>& disjunction, const std::vector<Variable>& variables,
             const Clause& pattern, std::vector<Clause>& clauses);
+  /// By fresh variable of the last call: the variable of the tree.
+  const std::vector<Variable>& sources() const { return sources_; }
 
  private:
   /// An equivalence is the conjunction of two disjunctions, its halves.
@@ -69,6 +73,8 @@ class ClauseMaker {
   Item ChildItem(const Frame& frame, std::size_t index) const;
   std::size_t ChildCount(const Frame& frame) const;
   void BindVariables(const Item& item);
+  void Record(const Frame& frame);
+  std::vector<Variable> FreshFrom(std::size_t scope, std::size_t count) const;
   Term FreshVariable(Variable source);
   Term SkolemTerm(NormalTree::Id quantifier);
   std::vector<Term> SkolemArguments(NormalTree::Id quantifier);
@@ -89,6 +95,7 @@ class ClauseMaker {
   const std::vector<std::string>& variable_names_;
   SymbolTable& symbols_;
   WorkMeter& work_;
+  ClauseRecorder* recorder_;
 
   std::vector<std::optional<Term>> bindings_;  ///< By variable of the tree.
   std::vector<Variable> sources_;              ///< By fresh variable: the variable of the tree.

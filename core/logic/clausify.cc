@@ -6,42 +6,60 @@
 #include <utility>
 
 #include "core/logic/clause_maker.h"
+#include "core/logic/clause_recorder.h"
 #include "core/logic/miniscope.h"
 #include "core/logic/name_subformulas.h"
 #include "core/logic/normal_tree.h"
+#include "core/logic/print.h"
 
 namespace latchwork::logic {
 
 namespace {
 
+/// `~ conjecture`, under the name of its denial.
+ClauseOrigins::Definition Denial(const Atom& name, const AnnotatedFormula& conjecture) {
+  return {name.predicate(),
+          Formula::Equivalent(Formula::Of(name), Formula::Not(conjecture.formula)),
+          DistinctNames(conjecture.variable_names)};
+}
+
+/// Where the clauses of a normal form come from.
+struct Source {
+  std::size_t formula = ClauseOrigins::kNone;
+  std::size_t definition = ClauseOrigins::kNone;
+};
+
 class Clausifier {
  public:
-  Clausifier(SymbolTable& symbols, const ClausifyOptions& options)
-      : symbols_(symbols), options_(options), work_(options.max_symbols) {}
+  Clausifier(SymbolTable& symbols, const ClausifyOptions& options,
+             const std::vector<AnnotatedFormula>& formulas, ClauseOrigins* origins)
+      : symbols_(symbols),
+        options_(options),
+        formulas_(formulas),
+        origins_(origins),
+        work_(options.max_symbols) {}
 
   /// False when the work is spent.
   bool Add(const AnnotatedFormula& formula) {
     Clause pattern = PatternOf(formula);
-    Translate(formula, formula.formula, pattern, nullptr);
+    Translate(formula, pattern, nullptr, SourceOf(formula));
     return !work_.is_spent();
   }
 
   /// All of them must be proved: one of their negations is false.
   bool AddConjectures(const std::vector<const AnnotatedFormula*>& conjectures) {
+    if (conjectures.size() == 1) return Add(*conjectures.front());
     Clause choice = PatternOf(*conjectures.front());
     const auto first = static_cast<std::ptrdiff_t>(clauses_.size());
     for (const AnnotatedFormula* each : conjectures) {
-      if (conjectures.size() == 1) {
-        Translate(*each, each->formula, choice, nullptr);
-        continue;
-      }
-      const Atom refuted(symbols_.Fresh("def_"));
-      choice.literals.push_back({true, refuted});
-      Translate(*each, each->formula, PatternOf(*each), &refuted);
+      const Atom denied(symbols_.Fresh("def_"));
+      choice.literals.push_back({true, denied});
+      Source source;
+      if (origins_ != nullptr) source.definition = Define(Denial(denied, *each));
+      Translate(*each, PatternOf(*each), &denied, source);
     }
-    if (!choice.literals.empty()) {
-      clauses_.insert(clauses_.begin() + first, std::move(choice));
-    }
+    if (origins_ != nullptr) RecordChoice(choice);
+    clauses_.insert(clauses_.begin() + first, std::move(choice));
     return !work_.is_spent();
   }
 
@@ -56,10 +74,14 @@ class Clausifier {
     return clause;
   }
 
+  Source SourceOf(const AnnotatedFormula& formula) const {
+    return {static_cast<std::size_t>(&formula - formulas_.data()), ClauseOrigins::kNone};
+  }
+
   /// With a condition, the clauses hold only where it is true.
-  void Translate(const AnnotatedFormula& annotated, const Formula& formula, const Clause& pattern,
-                 const Atom* condition) {
-    NormalTree tree = NormalTree::Of(formula, annotated.role != Role::kConjecture);
+  void Translate(const AnnotatedFormula& annotated, const Clause& pattern, const Atom* condition,
+                 const Source& source) {
+    NormalTree tree = NormalTree::Of(annotated.formula, annotated.role != Role::kConjecture);
     auto free = Miniscope(tree);
     FreeVariableTable* table = free ? &*free : nullptr;
     std::vector<ClauseMaker::Signed> disjunction;
@@ -69,22 +91,67 @@ class Clausifier {
     }
     disjunction.push_back({tree.root, true});
     const auto names = NameSubformulas(tree, table, options_.distribution_limit, symbols_);
-    ClauseMaker maker(tree, table, annotated.variable_names, symbols_, work_);
-    maker.Make(disjunction, {}, pattern, clauses_);
-    for (const SubformulaName& each : names) Define(tree, each, pattern, maker);
+    const bool records =
+        origins_ != nullptr && (!annotated.is_clause || annotated.role == Role::kConjecture);
+    ClauseRecorder recorder(annotated.variable_names);
+    ClauseMaker maker(tree, table, annotated.variable_names, symbols_, work_,
+                      records ? &recorder : nullptr);
+    const auto make = [&](const std::vector<ClauseMaker::Signed>& parts,
+                          const std::vector<Variable>& variables, const Source& from) {
+      const std::size_t first = clauses_.size();
+      maker.Make(parts, variables, pattern, clauses_);
+      if (records && !work_.is_spent()) Record(recorder.Take(maker.sources()), from, first);
+    };
+    make(disjunction, {}, source);
+    for (const SubformulaName& each : names) {
+      std::vector<Variable> variables;
+      CollectVariables(*tree.nodes[each.name].atom, variables);
+      Source definition;
+      if (records) definition.definition = Define(NameOf(tree, each, annotated));
+      make({{each.name, false}, {each.body, true}}, variables, definition);
+      if (each.in_both_polarities) {
+        make({{each.name, true}, {each.body, false}}, variables, definition);
+      }
+    }
   }
 
-  void Define(const NormalTree& tree, const SubformulaName& name, const Clause& pattern,
-              ClauseMaker& maker) {
+  static ClauseOrigins::Definition NameOf(const NormalTree& tree, const SubformulaName& name,
+                                          const AnnotatedFormula& annotated) {
+    const Atom& atom = *tree.nodes[name.name].atom;
+    Formula formula = Formula::Equivalent(Formula::Of(atom), ToFormula(tree, name.body));
     std::vector<Variable> variables;
-    CollectVariables(*tree.nodes[name.name].atom, variables);
-    maker.Make({{name.name, false}, {name.body, true}}, variables, pattern, clauses_);
-    if (!name.in_both_polarities) return;
-    maker.Make({{name.name, true}, {name.body, false}}, variables, pattern, clauses_);
+    CollectVariables(atom, variables);
+    if (!variables.empty()) formula = Formula::Forall(std::move(variables), std::move(formula));
+    return {atom.predicate(), std::move(formula), DistinctNames(annotated.variable_names)};
+  }
+
+  std::size_t Define(ClauseOrigins::Definition definition) {
+    origins_->definitions.push_back(std::move(definition));
+    return origins_->definitions.size() - 1;
+  }
+
+  void Record(ClauseOrigins::NormalForm form, const Source& source, std::size_t first_clause) {
+    form.formula = source.formula;
+    form.definition = source.definition;
+    form.clauses.assign(clauses_.begin() + static_cast<std::ptrdiff_t>(first_clause),
+                        clauses_.end());
+    origins_->normal_forms.push_back(std::move(form));
+  }
+
+  void RecordChoice(const Clause& choice) {
+    ClauseOrigins::NormalForm form;
+    std::vector<Formula> denied;
+    for (const Literal& literal : choice.literals) denied.push_back(Formula::Of(literal.atom));
+    form.normal = Formula::Or(std::move(denied));
+    form.skolemized = form.normal;
+    form.clauses.push_back(choice);
+    origins_->normal_forms.push_back(std::move(form));
   }
 
   SymbolTable& symbols_;
   const ClausifyOptions& options_;
+  const std::vector<AnnotatedFormula>& formulas_;
+  ClauseOrigins* origins_;
   WorkMeter work_;
   std::vector<Clause> clauses_;
 };
@@ -92,8 +159,9 @@ class Clausifier {
 }  // namespace
 
 std::vector<Clause> Clausify(const std::vector<AnnotatedFormula>& formulas, SymbolTable& symbols,
-                             const ClausifyOptions& options, Diagnostics* diagnostics) {
-  Clausifier clausifier(symbols, options);
+                             const ClausifyOptions& options, Diagnostics* diagnostics,
+                             ClauseOrigins* origins) {
+  Clausifier clausifier(symbols, options, formulas, origins);
   std::vector<const AnnotatedFormula*> conjectures;
   for (const AnnotatedFormula& each : formulas) {
     if (each.role == Role::kConjecture) conjectures.push_back(&each);

@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "latchwork/logic/atom.h"
 #include "latchwork/logic/formula.h"
@@ -18,6 +19,9 @@ void AppendAtom(std::string& text, const Atom& atom, std::span<const std::string
 /// The atom or its negation; a negated equation as `a != b`.
 void AppendLiteral(std::string& text, bool positive, const Atom& atom,
                    std::span<const std::string> names);
+
+/// The names themselves where each is a variable's name and its own; else names made from them.
+std::vector<std::string> DistinctNames(const std::vector<std::string>& names);
 
 /// Whether this is the built-in equality.
 bool IsEquation(const Atom& atom);

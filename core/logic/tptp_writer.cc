@@ -18,21 +18,6 @@ bool IsVariableName(std::string_view name) {
          std::all_of(name.begin(), name.end(), is_word_byte);
 }
 
-/// The names themselves where each is a variable's name and its own; else names made from them.
-std::vector<std::string> DistinctNames(const std::vector<std::string>& names) {
-  std::unordered_set<std::string> taken;
-  std::vector<std::string> distinct;
-  for (const std::string& name : names) {
-    const std::string stem = IsVariableName(name) ? name : "X" + std::to_string(distinct.size());
-    std::string candidate = stem;
-    for (std::size_t n = distinct.size(); !taken.insert(candidate).second; ++n) {
-      candidate = stem + "_" + std::to_string(n);
-    }
-    distinct.push_back(std::move(candidate));
-  }
-  return distinct;
-}
-
 std::string_view RoleName(Role role) {
   switch (role) {
     case Role::kConjecture:
@@ -62,6 +47,20 @@ std::string Annotate(std::string_view language, std::string_view name, Role role
 }
 
 }  // namespace
+
+std::vector<std::string> DistinctNames(const std::vector<std::string>& names) {
+  std::unordered_set<std::string> taken;
+  std::vector<std::string> distinct;
+  for (const std::string& name : names) {
+    const std::string stem = IsVariableName(name) ? name : "X" + std::to_string(distinct.size());
+    std::string candidate = stem;
+    for (std::size_t n = distinct.size(); !taken.insert(candidate).second; ++n) {
+      candidate = stem + "_" + std::to_string(n);
+    }
+    distinct.push_back(std::move(candidate));
+  }
+  return distinct;
+}
 
 std::string WriteTptp(const std::vector<AnnotatedFormula>& formulas) {
   std::string text;

@@ -6,124 +6,24 @@
 #include <algorithm>
 
 namespace latchwork::pttp {
-namespace {
 
 using logic::Clause;
 using logic::Formula;
-using logic::Symbol;
-using logic::Term;
 
-void CollectSymbols(const logic::Atom& atom, std::set<Symbol>& symbols) {
-  symbols.insert(atom.predicate());
-  std::vector<const Term*> visits;
-  for (const Term& term : atom.arguments()) visits.push_back(&term);
-  while (!visits.empty()) {
-    const Term& term = *visits.back();
-    visits.pop_back();
-    if (term.is_variable() || term.is_number()) continue;
-    symbols.insert(term.symbol());
-    for (const Term& argument : term.arguments()) visits.push_back(&argument);
-  }
-}
-
-std::set<Symbol> SymbolsOf(const Formula& formula) {
-  std::set<Symbol> symbols;
-  std::vector<const Formula*> visits{&formula};
-  while (!visits.empty()) {
-    const Formula& current = *visits.back();
-    visits.pop_back();
-    if (current.kind() == Formula::Kind::kAtom) CollectSymbols(current.atom(), symbols);
-    for (const Formula& child : current.children()) visits.push_back(&child);
-  }
-  return symbols;
-}
-
-/// Symbols that clausification brought in, as TSTP lists them.
-std::string NewSymbols(const Clause& clause, const std::set<Symbol>& known) {
-  std::set<Symbol> symbols;
-  for (const auto& literal : clause.literals) CollectSymbols(literal.atom, symbols);
-  std::string result;
-  for (const Symbol symbol : symbols) {
-    if (known.contains(symbol)) continue;
-    if (!result.empty()) result += ",";
-    result += logic::QuoteWord(symbol.name());
-  }
-  return result;
-}
-
-}  // namespace
-
-std::string ProofPrinter::Leaf(const logic::AnnotatedFormula& formula) {
-  auto& name = leaves_[formula.name];
-  if (!name.empty()) return name;
-  name = logic::QuoteWord(formula.name);
-  const std::string_view role = formula.role == logic::Role::kConjecture ? "conjecture"
-                                : formula.role == logic::Role::kNegatedConjecture
-                                    ? "negated_conjecture"
-                                    : "axiom";
-  lines.push_back(fmt::format("{}({}, {}, {}, file({}, {})).", formula.is_clause ? "cnf" : "fof",
-                              name, role, ToString(formula.formula, formula.variable_names),
-                              logic::QuoteWord(file_), name));
-  return name;
-}
-
-std::string ProofPrinter::NegatedConjecture(const logic::AnnotatedFormula* formula) {
-  auto& name = leaves_["~"];
-  if (!name.empty()) return name;
-  std::vector<std::string> parents;
-  std::string conjunction;
-  for (const auto& candidate : formulas_) {
-    if (candidate.role != logic::Role::kConjecture) continue;
-    if (formula == nullptr) formula = &candidate;
-    parents.push_back(Leaf(candidate));
-    if (!conjunction.empty()) conjunction += " & ";
-    conjunction += fmt::format("({})", ToString(candidate.formula, candidate.variable_names));
-  }
-  name = "negated_conjecture_0";
-  lines.push_back(
-      fmt::format("fof({}, negated_conjecture, ~ ({}), inference(negate,[status(cth)],[{}])).",
-                  name, conjunction, fmt::join(parents, ",")));
-  return name;
-}
-
-std::string ProofPrinter::Parent(const Clause& clause) {
-  for (const auto& formula : formulas_) {
-    if (formula.name != clause.name) continue;
-    return formula.role == logic::Role::kConjecture ? NegatedConjecture(&formula) : Leaf(formula);
-  }
-  return clause.role == logic::Role::kNegatedConjecture ? NegatedConjecture(nullptr)
-                                                        : std::string();
-}
-
-std::string ProofPrinter::ClauseLine(std::uint32_t index) {
-  auto& name = clauses_[index];
-  if (!name.empty()) return name;
-  const Clause& clause = engine_.program().clauses()[index];
-  const std::string parent = Parent(clause);
-  std::set<Symbol> known;
-  for (const auto& formula : formulas_) {
-    for (const Symbol symbol : SymbolsOf(formula.formula)) known.insert(symbol);
-  }
-  const std::string fresh = NewSymbols(clause, known);
-  const std::string source =
-      parent.empty() ? fmt::format("introduced(theory,[{}])", "equality")
-      : fresh.empty()
-          ? fmt::format("inference(clausify,[status(thm)],[{}])", parent)
-          : fmt::format("inference(clausify,[status(esa),new_symbols(skolem,[{}])],[{}])", fresh,
-                        parent);
-  name = fmt::format("clause_{}", index);
-  lines.push_back(fmt::format("cnf({}, plain, {}, {}).", name, ToString(clause), source));
-  return name;
-}
-
-void ProofPrinter::AddInstance(std::string_view literals, std::string_view source) {
+void ProofPrinter::AddInstance(std::string_view literals, std::uint32_t index) {
   if (!known_instances_.insert(std::string(literals)).second) return;
-  instances_.push_back(fmt::format("step_{}", instances_.size() + 1));
-  lines.push_back(fmt::format("cnf({}, plain, {}, {}).", instances_.back(), literals, source));
+  const std::vector<std::string> parents{tstp_.Input(engine_.program().clauses()[index])};
+  instances_.push_back(tstp_.Derived("instance", literals, "instantiate", parents));
+}
+
+void ProofPrinter::AddTheoryFact(const logic::Literal& literal, std::string_view theory) {
+  const std::string text = ToString(literal);
+  if (!known_instances_.insert(text).second) return;
+  instances_.push_back(theory == "equality" ? tstp_.Tautology(text)
+                                            : tstp_.TheoryFact(text, theory));
 }
 
 void ProofPrinter::Instance(std::uint32_t index, const Contrapositive& rule, const Word* slots) {
-  const std::string parent = ClauseLine(index);
   std::vector<std::string> literals;
   if (rule.has_head) {
     literals.push_back(ToString(
@@ -135,17 +35,18 @@ void ProofPrinter::Instance(std::uint32_t index, const Contrapositive& rule, con
   }
   const std::string text =
       literals.empty() ? "$false" : fmt::format("{}", fmt::join(literals, " | "));
-  AddInstance(text, fmt::format("inference(instantiate,[status(thm)],[{}])", parent));
+  AddInstance(text, index);
   const Clause& clause = engine_.program().clauses()[index];
   if (clause.role == logic::Role::kNegatedConjecture) AddAnswer(clause, slots);
 }
 
 void ProofPrinter::AddAnswer(const Clause& clause, const Word* slots) {
-  const auto conjecture = std::find_if(formulas_.begin(), formulas_.end(), [](const auto& formula) {
+  const auto& formulas = sources_.formulas;
+  const auto conjecture = std::find_if(formulas.begin(), formulas.end(), [](const auto& formula) {
     return formula.role == logic::Role::kConjecture &&
            formula.formula.kind() == Formula::Kind::kExists;
   });
-  if (conjecture == formulas_.end()) return;
+  if (conjecture == formulas.end()) return;
   std::vector<std::string> tuple;
   for (const logic::Variable variable : conjecture->formula.variables()) {
     const auto& names = clause.variable_names;
@@ -163,9 +64,7 @@ void ProofPrinter::AddFact(const logic::Atom& fact) {
   for (std::uint32_t i = 0; i < clauses.size(); ++i) {
     const auto& literals = clauses[i].literals;
     if (literals.size() != 1 || !literals[0].positive || literals[0].atom != fact) continue;
-    const std::string parent = ClauseLine(i);
-    AddInstance(ToString(fact), fmt::format("inference(instantiate,[status(thm)],[{}])", parent));
-    return;
+    return AddInstance(ToString(fact), i);
   }
 }
 
@@ -180,12 +79,12 @@ void ProofPrinter::AddStep(const Step& step) {
       AddFact(literal.atom);
       break;
     case Step::Kind::kEquality:
-      AddInstance(ToString(literal), "introduced(theory,[equality])");
+      AddTheoryFact(literal, "equality");
       break;
     case Step::Kind::kArithmetic:
     case Step::Kind::kAttachment:
     case Step::Kind::kAssumption:
-      AddInstance(ToString(literal), "introduced(theory,[arithmetic])");
+      AddTheoryFact(literal, "arithmetic");
       break;
     case Step::Kind::kReduction:
       break;
@@ -200,9 +99,8 @@ void ProofPrinter::Print(const Proof& proof) {
   }
   std::reverse(steps.begin(), steps.end());
   for (const Step* step : steps) AddStep(*step);
-  lines.push_back(
-      fmt::format("cnf(refutation, plain, $false, inference(resolution,[status(thm)],[{}])).",
-                  fmt::join(instances_, ",")));
+  tstp_.Derived("refutation", "$false", "resolution", instances_);
+  lines = tstp_.Take();
 }
 
 }  // namespace latchwork::pttp

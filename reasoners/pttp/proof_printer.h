@@ -2,7 +2,6 @@
 #ifndef LATCHWORK_PTTP_PROOF_PRINTER_H_
 #define LATCHWORK_PTTP_PROOF_PRINTER_H_
 
-#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -11,6 +10,7 @@
 #include "latchwork/logic/formula.h"
 #include "reasoners/pttp/engine.h"
 #include "reasoners/pttp/machine.h"
+#include "reasoners/pttp/tstp_printer.h"
 
 namespace latchwork::pttp {
 
@@ -19,9 +19,8 @@ namespace latchwork::pttp {
 /// alone.
 class ProofPrinter {
  public:
-  ProofPrinter(Engine& engine, const std::vector<logic::AnnotatedFormula>& formulas,
-               std::string_view file)
-      : engine_(engine), formulas_(formulas), file_(file) {}
+  ProofPrinter(Engine& engine, const ProofSources& sources)
+      : engine_(engine), sources_(sources), tstp_(sources) {}
 
   void Print(const Proof& proof);
 
@@ -29,21 +28,16 @@ class ProofPrinter {
   std::vector<std::vector<std::string>> answers;
 
  private:
-  std::string Leaf(const logic::AnnotatedFormula& formula);
-  std::string NegatedConjecture(const logic::AnnotatedFormula* formula);
-  std::string Parent(const logic::Clause& clause);
-  std::string ClauseLine(std::uint32_t index);
   void Instance(std::uint32_t index, const Contrapositive& rule, const Word* slots);
-  void AddInstance(std::string_view literals, std::string_view source);
+  void AddInstance(std::string_view literals, std::uint32_t clause);
+  void AddTheoryFact(const logic::Literal& literal, std::string_view theory);
   void AddFact(const logic::Atom& fact);
   void AddStep(const Step& step);
   void AddAnswer(const logic::Clause& clause, const Word* slots);
 
   Engine& engine_;
-  const std::vector<logic::AnnotatedFormula>& formulas_;
-  std::string_view file_;
-  std::map<std::string, std::string, std::less<>> leaves_;
-  std::map<std::uint32_t, std::string> clauses_;
+  ProofSources sources_;
+  TstpPrinter tstp_;
   std::set<std::string> known_instances_;
   std::vector<std::string> instances_;
   std::vector<Word> variables_;

@@ -42,13 +42,12 @@ bool HasFixedMeaning(const Clause& clause) {
 
 class RefutationSink final : public ProofSink {
  public:
-  RefutationSink(Engine& engine, const std::vector<logic::AnnotatedFormula>& formulas,
-                 std::string_view file, ProverResult& result)
-      : engine_(engine), formulas_(formulas), file_(file), result_(result) {}
+  RefutationSink(Engine& engine, const ProofSources& sources, ProverResult& result)
+      : engine_(engine), sources_(sources), result_(result) {}
 
   bool Accept(const Proof& proof) override {
     result_.statistics.depth = proof.depth;
-    ProofPrinter printer(engine_, formulas_, file_);
+    ProofPrinter printer(engine_, sources_);
     printer.Print(proof);
     result_.proof = std::move(printer.lines);
     result_.answers = std::move(printer.answers);
@@ -57,8 +56,7 @@ class RefutationSink final : public ProofSink {
 
  private:
   Engine& engine_;
-  const std::vector<logic::AnnotatedFormula>& formulas_;
-  std::string_view file_;
+  ProofSources sources_;
   ProverResult& result_;
 };
 
@@ -117,7 +115,9 @@ ProverResult Prove(const std::vector<logic::AnnotatedFormula>& formulas,
                    logic::SymbolTable& symbols, std::string_view file,
                    const ProverOptions& options) {
   ProverResult result;
-  std::vector<Clause> clauses = logic::Clausify(formulas, symbols);
+  logic::ClauseOrigins origins;
+  std::vector<Clause> clauses =
+      logic::Clausify(formulas, symbols, {}, nullptr, options.proof ? &origins : nullptr);
   const bool decidable = std::none_of(clauses.begin(), clauses.end(),
                                       [](const Clause& clause) { return HasFixedMeaning(clause); });
   for (Clause& axiom : EqualityAxioms(clauses, {}, symbols)) clauses.push_back(std::move(axiom));
@@ -130,7 +130,7 @@ ProverResult Prove(const std::vector<logic::AnnotatedFormula>& formulas,
   request.reach = &engine.ReachFor(request.starts, false);
   request.depth = options.budget.depth;
   request.record = options.proof;
-  RefutationSink sink(engine, formulas, file, result);
+  RefutationSink sink(engine, {formulas, origins, file}, result);
   const SearchEnd end = engine.Search(request, sink);
   const bool conjecture = std::any_of(formulas.begin(), formulas.end(), [](const auto& formula) {
     return formula.role == logic::Role::kConjecture;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "latchwork/logic/clause.h"
+#include "latchwork/logic/clause_origins.h"
 #include "latchwork/logic/diagnostic.h"
 #include "latchwork/logic/formula.h"
 #include "latchwork/logic/symbol.h"
@@ -24,10 +25,11 @@ struct ClausifyOptions {
 /// fresh functions of the free variables, distribution or definitions. Conjectures are negated
 /// together (all of them must be proved; their negations form one disjunction) and come out as
 /// kNegatedConjecture. Tautologies are dropped, duplicate literals merged; clause order follows
-/// formula order.
+/// formula order. Where `origins` is given, it gets the steps that led to the clauses.
 std::vector<Clause> Clausify(const std::vector<AnnotatedFormula>& formulas, SymbolTable& symbols,
                              const ClausifyOptions& options = {},
-                             Diagnostics* diagnostics = nullptr);
+                             Diagnostics* diagnostics = nullptr,
+                             ClauseOrigins* origins = nullptr);
 
 }  // namespace latchwork::logic
 

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_PTTP_TSTP_PRINTER_H_
+#define LATCHWORK_PTTP_TSTP_PRINTER_H_
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "latchwork/logic/clause.h"
+#include "latchwork/logic/clause_origins.h"
+#include "latchwork/logic/formula.h"
+
+namespace latchwork::pttp {
+
+/// What a derivation starts from. Everything outlives the printer.
+struct ProofSources {
+  const std::vector<logic::AnnotatedFormula>& formulas;
+  const logic::ClauseOrigins& origins;  ///< Of the clauses that were made from the formulas.
+  std::string_view file;
+};
+
+/// Writes a TSTP derivation line by line, each formula after those that it follows from. A clause
+/// brings what stands above it along: the formula of the file, the negated conjecture, definitions,
+/// the Skolemized normal form. Steps have names of their own, different from all names of the file.
+class TstpPrinter {
+ public:
+  explicit TstpPrinter(const ProofSources& sources);
+
+  /// A clause of the theory, whatever was done to it since clausification. Gives its name.
+  std::string Input(const logic::Clause& clause);
+  /// A clause that follows from the steps that are named. `stem` begins its name.
+  std::string Derived(std::string_view stem, std::string_view clause, std::string_view rule,
+                      std::span<const std::string> parents);
+  /// A clause that is true in every model of a built-in theory; of equality alone: a tautology.
+  std::string Tautology(std::string_view clause);
+  std::string TheoryFact(std::string_view clause, std::string_view theory);
+
+  std::vector<std::string> Take() { return std::move(lines_); }
+
+ private:
+  using Symbols = std::set<logic::Symbol>;
+
+  std::string NewName(std::string_view stem);
+  std::string Line(std::string_view language, std::string_view stem, std::string_view role,
+                   std::string_view formula, std::string_view source);
+  std::string Leaf(std::size_t formula);
+  std::string Conjectures();
+  std::string NegatedConjecture(std::size_t formula);
+  std::string Definition(std::size_t definition);
+  std::string NormalForm(std::size_t form);
+  std::string Skolemized(std::size_t form);
+  std::string FormulaParent(std::size_t formula);
+  void AddDefinitionsOf(const logic::Formula& formula, std::vector<std::string>& parents);
+  std::size_t FormulaOf(const logic::Clause& clause) const;
+
+  ProofSources sources_;
+  std::set<std::string, std::less<>> names_;
+  std::map<std::string, std::size_t, std::less<>> next_number_;  ///< By stem.
+  std::vector<std::string> lines_;
+
+  std::map<std::string, std::size_t, std::less<>> form_of_;  ///< By the text of a clause.
+  std::map<logic::Symbol, std::size_t> definition_of_;
+  std::map<std::size_t, std::string> leaves_;
+  std::map<std::size_t, std::string> negated_;
+  std::map<std::size_t, std::string> definitions_;
+  std::map<std::size_t, std::string> normal_forms_;
+  std::map<std::size_t, std::string> skolemized_;
+  std::map<std::string, std::string, std::less<>> inputs_;  ///< By the text of a clause.
+};
+
+}  // namespace latchwork::pttp
+
+#endif  // LATCHWORK_PTTP_TSTP_PRINTER_H_
