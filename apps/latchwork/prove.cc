@@ -2,48 +2,93 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <cstdlib>
+#include <cstdio>
 #include <filesystem>
-#include <iostream>
-#include <iterator>
 #include <limits>
 #include <memory>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "apps/latchwork/command.h"
-#include "latchwork/logic/tptp.h"
+#include "apps/latchwork/prove_limits.h"
+#include "apps/latchwork/tptp_input.h"
 #include "reasoners/pttp/prover.h"
 
 namespace latchwork::app {
 namespace {
 
 struct ProveSettings {
-  std::string file;
+  TptpInput input;
   double seconds = 10.0;
+  std::size_t memory_mb = 4096;
   std::uint64_t inferences = std::numeric_limits<std::uint64_t>::max();
   std::uint32_t depth = 1'000'000;
+  std::string strategy;
   bool proof = false;
   bool answers = false;
   bool statistics = false;
+  bool json = false;
 };
 
-logic::TptpFile Read(const ProveSettings& settings, logic::SymbolTable& symbols) {
-  logic::TptpOptions options;
-  if (const char* root = std::getenv("TPTP"); root != nullptr) options.include_root = root;
-  if (settings.file != "-") return logic::ReadTptpFile(settings.file, symbols, options);
-  const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
-  return logic::ReadTptp(text, "-", symbols, options);
+/// What an attempt came to.
+struct Outcome {
+  std::string_view status;
+  bool proved = false;
+  pttp::ProverResult result;
+};
+
+/// The wall clock only guards against a process that gets no CPU time.
+std::chrono::steady_clock::time_point Guard(double cpu_seconds) {
+  const std::chrono::duration<double> wall(10 * cpu_seconds + 60);
+  return std::chrono::steady_clock::now() +
+         std::chrono::duration_cast<std::chrono::steady_clock::duration>(wall);
 }
 
-int RefuseInput(const ProveSettings& settings, const logic::TptpFile& input) {
+int RefuseInput(const ProveSettings& settings, const logic::TptpFile& input, ProveLimits& limits) {
+  limits.Release();
+  const std::string& file = settings.input.file;
   std::error_code error;
-  const bool exists =
-      settings.file == "-" || std::filesystem::is_regular_file(settings.file, error);
+  const bool exists = file == "-" || std::filesystem::is_regular_file(file, error);
   fmt::print(stderr, "{}", Format(input.diagnostics));
-  fmt::print("% SZS status {} for {}\n", exists ? "SyntaxError" : "InputError", settings.file);
+  fmt::print("% SZS status {} for {}\n", exists ? "SyntaxError" : "InputError", file);
   return kInvalidInput;
+}
+
+Outcome Attempt(const ProveSettings& settings, const logic::TptpFile& input,
+                logic::SymbolTable& symbols) {
+  pttp::ProverOptions options;
+  options.budget.inferences = settings.inferences;
+  options.budget.depth = settings.depth;
+  options.budget.deadline = Guard(settings.seconds);
+  options.budget.cancelled = &ProveLimits::cancelled();
+  options.strategy = settings.strategy;
+  options.proof = settings.proof || settings.answers || input.asks;
+  Outcome outcome;
+  try {
+    outcome.result = pttp::Prove(input.formulas, symbols, settings.input.file, options);
+  } catch (const std::length_error& error) {
+    outcome.result.status = pttp::Szs::kResourceOut;
+    outcome.result.message = error.what();
+  } catch (const std::bad_alloc&) {
+    outcome.result.status = pttp::Szs::kResourceOut;
+  }
+  const pttp::Szs status = outcome.result.status;
+  outcome.status = Name(status);
+  outcome.proved = status == pttp::Szs::kTheorem || status == pttp::Szs::kUnsatisfiable;
+  if (status == pttp::Szs::kTheorem && options.proof && !outcome.result.uses_conjecture) {
+    outcome.status = "ContradictoryAxioms";
+  }
+  if (status == pttp::Szs::kTimeout && !ProveLimits::reason().empty()) {
+    outcome.status = ProveLimits::reason();
+  }
+  return outcome;
 }
 
 void PrintAnswers(const ProveSettings& settings, const pttp::ProverResult& result) {
@@ -54,21 +99,19 @@ void PrintAnswers(const ProveSettings& settings, const pttp::ProverResult& resul
   }
   const std::string one = fmt::format("{}", fmt::join(tuples, "|"));
   fmt::print("% SZS answers Tuple [{}|_] for {}\n", tuples.size() == 1 ? one : "(" + one + ")",
-             settings.file);
+             settings.input.file);
 }
 
-void PrintResult(const ProveSettings& settings, const pttp::ProverResult& result) {
-  const bool proved =
-      result.status == pttp::Szs::kTheorem || result.status == pttp::Szs::kUnsatisfiable;
-  fmt::print("% SZS status {} for {}\n", Name(result.status), settings.file);
-  if (!result.message.empty() && result.status == pttp::Szs::kGaveUp) {
-    fmt::print("% {}\n", result.message);
-  }
-  if (settings.answers && proved) PrintAnswers(settings, result);
-  if (settings.proof && proved) {
-    fmt::print("% SZS output start Proof for {}\n", settings.file);
+void PrintText(const ProveSettings& settings, bool answers, const Outcome& outcome) {
+  const pttp::ProverResult& result = outcome.result;
+  const std::string& file = settings.input.file;
+  fmt::print("% SZS status {} for {}\n", outcome.status, file);
+  if (!result.message.empty() && !outcome.proved) fmt::print("% {}\n", result.message);
+  if (answers && outcome.proved) PrintAnswers(settings, result);
+  if (settings.proof && outcome.proved) {
+    fmt::print("% SZS output start Proof for {}\n", file);
     for (const std::string& line : result.proof) fmt::print("{}\n", line);
-    fmt::print("% SZS output end Proof for {}\n", settings.file);
+    fmt::print("% SZS output end Proof for {}\n", file);
   }
   if (settings.statistics) {
     fmt::print("% clauses {}\n% inferences {}\n% depth {}\n", result.clauses,
@@ -76,22 +119,43 @@ void PrintResult(const ProveSettings& settings, const pttp::ProverResult& result
   }
 }
 
+void PrintJson(const ProveSettings& settings, bool answers, const Outcome& outcome) {
+  const pttp::ProverResult& result = outcome.result;
+  nlohmann::ordered_json report{{"file", settings.input.file},
+                                {"status", outcome.status},
+                                {"message", result.message},
+                                {"clauses", result.clauses},
+                                {"inferences", result.statistics.inferences},
+                                {"depth", result.statistics.depth}};
+  if (answers && outcome.proved) report["answers"] = result.answers;
+  if (settings.proof && outcome.proved) report["proof"] = result.proof;
+  fmt::print("{}\n", report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
 int RunProve(const ProveSettings& settings) {
-  const auto start = std::chrono::steady_clock::now();
+  ProveLimits limits(settings.seconds, settings.memory_mb, settings.input.file);
   logic::SymbolTable symbols;
-  const logic::TptpFile input = Read(settings, symbols);
-  if (!input.diagnostics.empty()) return RefuseInput(settings, input);
-  pttp::ProverOptions options;
-  options.budget.inferences = settings.inferences;
-  options.budget.depth = settings.depth;
-  options.budget.deadline = start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                        std::chrono::duration<double>(settings.seconds));
-  options.proof = settings.proof || settings.answers;
-  const pttp::ProverResult result = pttp::Prove(input.formulas, symbols, settings.file, options);
-  PrintResult(settings, result);
-  const bool proved =
-      result.status == pttp::Szs::kTheorem || result.status == pttp::Szs::kUnsatisfiable;
-  return proved ? kDone : kGoalNotReached;
+  const logic::TptpFile input = Read(settings.input, symbols);
+  if (!input.diagnostics.empty()) return RefuseInput(settings, input, limits);
+  const Outcome outcome = Attempt(settings, input, symbols);
+  limits.Release();
+  const bool answers = settings.answers || input.asks;
+  settings.json ? PrintJson(settings, answers, outcome) : PrintText(settings, answers, outcome);
+  std::fflush(stdout);
+  return outcome.proved ? kDone : kGoalNotReached;
+}
+
+void AddLimits(CLI::App& command, ProveSettings& settings) {
+  command
+      .add_option("--time,--cpu-limit", settings.seconds, "CPU seconds to spend, reading included")
+      ->check(CLI::Range(0.001, 1e6))
+      ->capture_default_str();
+  command.add_option("--memory", settings.memory_mb, "MB of memory to use; 0: no limit")
+      ->check(CLI::Range(0U, 1U << 24U))
+      ->capture_default_str();
+  command.add_option("--inferences", settings.inferences, "Inferences to spend");
+  command.add_option("--depth", settings.depth, "Deepest path to search")
+      ->check(CLI::Range(1U, 1'000'000U));
 }
 
 }  // namespace
@@ -100,18 +164,22 @@ void AddProve(CLI::App& app, Context& context) {
   auto settings = std::make_shared<ProveSettings>();
   CLI::App* command =
       app.add_subcommand("prove", "Prove the conjecture of a TPTP file, or refute its clauses");
-  command->add_option("FILE", settings->file, "TPTP file (CNF, FOF); '-' reads standard input")
+  command->add_option("FILE", settings->input.file, "TPTP file; '-' reads standard input")
       ->required();
-  command->add_option("--time", settings->seconds, "Seconds to spend")
-      ->check(CLI::Range(0.001, 1e6))
-      ->capture_default_str();
-  command->add_option("--inferences", settings->inferences, "Inferences to spend");
-  command->add_option("--depth", settings->depth, "Deepest path to search")
-      ->check(CLI::Range(1U, 1'000'000U));
-  command->add_flag("--proof", settings->proof, "Print the proof in TSTP syntax");
+  AddTptpFolder(*command, settings->input);
+  AddLimits(*command, *settings);
+  command->add_option("--strategy", settings->strategy,
+                      "Which search to make; without it, what is best for the problem");
+  command->add_flag("--proof,!--no-proof", settings->proof, "Print the proof in TSTP syntax");
   command->add_flag("--answers", settings->answers,
-                    "Print the values of the conjecture's variables");
+                    "Print the values of the conjecture's variables; always done for a question");
   command->add_flag("--stats", settings->statistics, "Print what the search cost");
+  command->add_flag("--json", settings->json, "Print JSON instead of SZS lines");
+  command->footer(
+      "One SZS status line comes out, whatever happens.\n"
+      "Exit codes: 0 Theorem, Unsatisfiable or ContradictoryAxioms; 1 CounterSatisfiable,\n"
+      "Satisfiable, or not decided (Timeout, ResourceOut, GaveUp, User, Forced);\n"
+      "2 wrong usage; 3 SyntaxError or InputError.");
   command->callback([settings, &context] { context.exit_code = RunProve(*settings); });
 }
 

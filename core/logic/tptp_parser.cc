@@ -26,6 +26,7 @@ constexpr std::array kRoles = {
     RoleName{"corollary", Role::kAxiom},
     RoleName{"plain", Role::kAxiom},
     RoleName{"conjecture", Role::kConjecture},
+    RoleName{"question", Role::kConjecture},
     RoleName{"negated_conjecture", Role::kNegatedConjecture},
 };
 
@@ -102,8 +103,10 @@ bool TptpParser::ReadAnnotated(TptpLanguage language) {
   }
   if (!role) return SkipTypeDeclaration() && ReadEnd();
   annotated.role = *role;
-  if (!ReadFormula(language, annotated) || !ReadAnnotations() || !ReadEnd()) return false;
+  std::string_view source;
+  if (!ReadFormula(language, annotated) || !ReadAnnotations(source) || !ReadEnd()) return false;
   result_.formulas.push_back(std::move(annotated));
+  if (options_.keep_sources) result_.sources.emplace_back(source);
   return true;
 }
 
@@ -137,6 +140,7 @@ bool TptpParser::ReadRole(TptpLanguage language, std::optional<Role>& role) {
     return cursor_.Fail("unknown role '" + std::string(text.substr(0, 40)) + "'", RoleHint(text));
   }
   if (found != kRoles.end()) role = found->role;
+  result_.asks = result_.asks || text == "question";
   cursor_.Advance();
   return !cursor_.Accept(Kind::kMinus) || SkipBalanced(true);
 }
@@ -149,8 +153,15 @@ bool TptpParser::ReadFormula(TptpLanguage language, AnnotatedFormula& annotated)
   return true;
 }
 
-bool TptpParser::ReadAnnotations() {
+bool TptpParser::ReadAnnotations(std::string_view& source) {
   if (!cursor_.Accept(Kind::kComma)) return true;
+  const char* const begin = cursor_.token().text.data();
+  if (!SkipAnnotations()) return false;
+  source = {begin, static_cast<std::size_t>(cursor_.token().text.data() - begin)};
+  return true;
+}
+
+bool TptpParser::SkipAnnotations() {
   if (!cursor_.Is(Kind::kLowerWord)) return SkipBalanced(false);
   const SourcePlace place = cursor_.place();
   const std::string_view word = cursor_.token().text;

@@ -43,7 +43,9 @@ class TptpParser {
   bool ReadName(std::string& name);
   bool ReadRole(TptpLanguage language, std::optional<Role>& role);
   bool ReadFormula(TptpLanguage language, AnnotatedFormula& annotated);
-  bool ReadAnnotations();
+  /// Gives the text between the formula's comma and the closing parenthesis.
+  bool ReadAnnotations(std::string_view& source);
+  bool SkipAnnotations();
   bool SkipTypeDeclaration();
   /// To the end of a list, which is not consumed: `)`, or also `,`.
   bool SkipBalanced(bool to_comma);

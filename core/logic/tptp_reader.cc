@@ -116,13 +116,15 @@ class Reader {
   Fault Select(const std::vector<std::string>& names, std::size_t first, const std::string& file) {
     const std::unordered_set<std::string> wanted(names.begin(), names.end());
     std::unordered_set<std::string> seen;
-    const auto begin = result_.formulas.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto rest = std::remove_if(begin, result_.formulas.end(), [&](const auto& formula) {
-      if (!wanted.contains(formula.name)) return true;
-      seen.insert(formula.name);
-      return false;
-    });
-    result_.formulas.erase(rest, result_.formulas.end());
+    std::size_t kept = first;
+    for (std::size_t i = first; i < result_.formulas.size(); ++i) {
+      if (!wanted.contains(result_.formulas[i].name)) continue;
+      seen.insert(result_.formulas[i].name);
+      if (options_.keep_sources) std::swap(result_.sources[kept], result_.sources[i]);
+      std::swap(result_.formulas[kept++], result_.formulas[i]);
+    }
+    result_.formulas.resize(kept);
+    if (options_.keep_sources) result_.sources.resize(kept);
     for (const std::string& name : names) {
       if (seen.contains(name)) continue;
       std::string message = "included file '";

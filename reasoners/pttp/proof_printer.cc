@@ -10,17 +10,15 @@ namespace latchwork::pttp {
 using logic::Clause;
 using logic::Formula;
 
-void ProofPrinter::AddInstance(std::string_view literals, std::uint32_t index) {
-  if (!known_instances_.insert(std::string(literals)).second) return;
-  const std::vector<std::string> parents{tstp_.Input(engine_.program().clauses()[index])};
-  instances_.push_back(tstp_.Derived("instance", literals, "instantiate", parents));
+void ProofPrinter::AddInstance(std::string literals, std::uint32_t index) {
+  if (!known_instances_.insert(literals).second) return;
+  instances_.push_back({std::move(literals), tstp_.Input(engine_.program().clauses()[index])});
 }
 
 void ProofPrinter::AddTheoryFact(const logic::Literal& literal, std::string_view theory) {
   const std::string text = ToString(literal);
   if (!known_instances_.insert(text).second) return;
-  instances_.push_back(theory == "equality" ? tstp_.Tautology(text)
-                                            : tstp_.TheoryFact(text, theory));
+  facts_.push_back(theory == "equality" ? tstp_.Tautology(text) : tstp_.TheoryFact(text, theory));
 }
 
 void ProofPrinter::Instance(std::uint32_t index, const Contrapositive& rule, const Word* slots) {
@@ -33,9 +31,7 @@ void ProofPrinter::Instance(std::uint32_t index, const Contrapositive& rule, con
     literals.push_back(
         ToString(logic::Literal{!literal.positive, engine_.Instance(literal, slots, variables_)}));
   }
-  const std::string text =
-      literals.empty() ? "$false" : fmt::format("{}", fmt::join(literals, " | "));
-  AddInstance(text, index);
+  AddInstance(literals.empty() ? "$false" : fmt::format("{}", fmt::join(literals, " | ")), index);
   const Clause& clause = engine_.program().clauses()[index];
   if (clause.role == logic::Role::kNegatedConjecture) AddAnswer(clause, slots);
 }
@@ -99,7 +95,12 @@ void ProofPrinter::Print(const Proof& proof) {
   }
   std::reverse(steps.begin(), steps.end());
   for (const Step* step : steps) AddStep(*step);
-  tstp_.Derived("refutation", "$false", "resolution", instances_);
+  // After all that brings in new symbols, as an instance may hold any of them.
+  std::vector<std::string> premises = std::move(facts_);
+  for (const auto& [literals, clause] : instances_) {
+    premises.push_back(tstp_.Derived("instance", literals, "instantiate", {&clause, 1}));
+  }
+  tstp_.Derived("refutation", "$false", "resolution", premises);
   lines = tstp_.Take();
 }
 

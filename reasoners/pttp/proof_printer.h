@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "latchwork/logic/formula.h"
@@ -23,13 +24,14 @@ class ProofPrinter {
       : engine_(engine), sources_(sources), tstp_(sources) {}
 
   void Print(const Proof& proof);
+  bool uses_conjecture() const { return tstp_.uses_conjecture(); }
 
   std::vector<std::string> lines;
   std::vector<std::vector<std::string>> answers;
 
  private:
   void Instance(std::uint32_t index, const Contrapositive& rule, const Word* slots);
-  void AddInstance(std::string_view literals, std::uint32_t clause);
+  void AddInstance(std::string literals, std::uint32_t clause);
   void AddTheoryFact(const logic::Literal& literal, std::string_view theory);
   void AddFact(const logic::Atom& fact);
   void AddStep(const Step& step);
@@ -39,7 +41,8 @@ class ProofPrinter {
   ProofSources sources_;
   TstpPrinter tstp_;
   std::set<std::string> known_instances_;
-  std::vector<std::string> instances_;
+  std::vector<std::pair<std::string, std::string>> instances_;  ///< Text, and name of the clause.
+  std::vector<std::string> facts_;                              ///< Names.
   std::vector<Word> variables_;
 };
 

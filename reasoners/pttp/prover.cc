@@ -50,6 +50,7 @@ class RefutationSink final : public ProofSink {
     ProofPrinter printer(engine_, sources_);
     printer.Print(proof);
     result_.proof = std::move(printer.lines);
+    result_.uses_conjecture = printer.uses_conjecture();
     result_.answers = std::move(printer.answers);
     return true;
   }

@@ -27,7 +27,8 @@ std::string_view Name(Szs status);
 
 struct ProverOptions {
   sdk::Budget budget;
-  bool proof = false;  ///< Write the proof down.
+  bool proof = false;    ///< Write the proof down.
+  std::string strategy;  ///< Which search to make; empty: what is best for the problem.
 };
 
 struct ProverResult {
@@ -36,6 +37,7 @@ struct ProverResult {
   sdk::Statistics statistics;
   std::size_t clauses = 0;
   std::vector<std::string> proof;  ///< Annotated formulas, the last one derives $false.
+  bool uses_conjecture = true;  ///< Whether the proof that was written down needs the conjecture.
   /// Values of the conjecture's variables, one tuple for each of its instances in the proof: at
   /// least one of them answers.
   std::vector<std::vector<std::string>> answers;

@@ -124,8 +124,8 @@ std::string TstpPrinter::NegatedConjecture(std::size_t index) {
     if (formula.role != Role::kConjecture || (index != kAllConjectures && i != index)) continue;
     texts.push_back(fmt::format("({})", ToString(formula.formula, formula.variable_names)));
   }
-  const std::string text = texts.size() == 1 ? "~ " + texts.front()
-                                             : fmt::format("~ ({})", fmt::join(texts, " & "));
+  const std::string text =
+      texts.size() == 1 ? "~ " + texts.front() : fmt::format("~ ({})", fmt::join(texts, " & "));
   name = Line("fof", "negated_conjecture", "negated_conjecture", text,
               Inference("negate", "cth", parents));
   return name;

@@ -39,6 +39,8 @@ class TstpPrinter {
   std::string Tautology(std::string_view clause);
   std::string TheoryFact(std::string_view clause, std::string_view theory);
 
+  /// Whether the negated conjecture is among the lines.
+  bool uses_conjecture() const { return !negated_.empty(); }
   std::vector<std::string> Take() { return std::move(lines_); }
 
  private:

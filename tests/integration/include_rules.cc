@@ -28,7 +28,7 @@ struct Part {
   std::string_view folder;
   std::string_view sees;
 };
-constexpr std::array<Part, 11> kParts = {{
+constexpr std::array<Part, 12> kParts = {{
     {"core/logic/", ""},
     {"core/sdk/", "logic"},
     {"core/config/", "logic sdk"},
@@ -38,7 +38,8 @@ constexpr std::array<Part, 11> kParts = {{
     {"reasoners/", "logic sdk"},
     {"plugins/", "logic sdk"},
     {"worlds/", "logic sdk"},
-    {"apps/", "logic sdk config plugin schedule record reasoners/pttp"},
+    {"apps/check_proof/", "logic"},
+    {"apps/", "logic sdk config plugin schedule record reasoners/pttp apps/check_proof"},
     {"tests/", "logic sdk config plugin schedule record"},
 }};
 

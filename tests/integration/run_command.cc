@@ -48,17 +48,25 @@ int SpawnAndWait(std::vector<std::string> words, const std::filesystem::path& fo
   return status;
 }
 
-}  // namespace
-
-CommandResult RunLatchwork(const std::vector<std::string>& arguments,
-                           const std::filesystem::path& folder) {
+CommandResult Run(std::vector<std::string> words, const std::filesystem::path& folder) {
   const ScratchFolder scratch;
-  std::vector<std::string> words = {LATCHWORK_BINARY_DIR "/bin/latchwork"};
-  words.insert(words.end(), arguments.begin(), arguments.end());
   const std::filesystem::path out = scratch.path() / "out";
   const std::filesystem::path err = scratch.path() / "err";
   const int status = SpawnAndWait(std::move(words), folder, out, err);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadText(out), ReadText(err)};
+}
+
+}  // namespace
+
+CommandResult RunLatchwork(const std::vector<std::string>& arguments,
+                           const std::filesystem::path& folder) {
+  std::vector<std::string> words = {LATCHWORK_BINARY_DIR "/bin/latchwork"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return Run(std::move(words), folder);
+}
+
+CommandResult RunShell(const std::string& script, const std::filesystem::path& folder) {
+  return Run({"/bin/sh", "-c", "PATH=" LATCHWORK_BINARY_DIR "/bin:$PATH; " + script}, folder);
 }
 
 ScratchFolder::ScratchFolder() {

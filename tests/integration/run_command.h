@@ -18,6 +18,10 @@ struct CommandResult {
 CommandResult RunLatchwork(const std::vector<std::string>& arguments,
                            const std::filesystem::path& folder);
 
+/// The same through a shell, in which `latchwork` is the built command: for standard input,
+/// variables and signals.
+CommandResult RunShell(const std::string& script, const std::filesystem::path& folder);
+
 /// An empty folder of this test's own, removed with the object.
 class ScratchFolder {
  public:

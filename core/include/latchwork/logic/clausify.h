@@ -28,8 +28,7 @@ struct ClausifyOptions {
 /// formula order. Where `origins` is given, it gets the steps that led to the clauses.
 std::vector<Clause> Clausify(const std::vector<AnnotatedFormula>& formulas, SymbolTable& symbols,
                              const ClausifyOptions& options = {},
-                             Diagnostics* diagnostics = nullptr,
-                             ClauseOrigins* origins = nullptr);
+                             Diagnostics* diagnostics = nullptr, ClauseOrigins* origins = nullptr);
 
 }  // namespace latchwork::logic
 

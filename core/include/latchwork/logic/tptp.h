@@ -19,6 +19,10 @@ namespace latchwork::logic {
 struct TptpFile {
   std::vector<AnnotatedFormula>
       formulas;  ///< In the order of the file, includes expanded in place.
+  /// With TptpOptions::keep_sources: of each formula what stands behind it, such as
+  /// `file('a.p', n), [useful]`; may be empty.
+  std::vector<std::string> sources;
+  bool asks = false;  ///< A formula has the role `question`: a conjecture whose answers are wanted.
   Diagnostics diagnostics;
 };
 
@@ -29,6 +33,7 @@ struct TptpOptions {
   std::size_t max_bytes = 256U << 20U;  ///< Per file; a larger one is refused with a diagnostic.
   std::size_t max_tokens = 50'000'000;  ///< Per file; bounds the memory that formulas take.
   std::size_t max_diagnostics = 100;
+  bool keep_sources = false;
 };
 
 /// Reads CNF and FOF of TPTP (and untyped TFF formulas: `tff(n, axiom, ...)` without type

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_APPS_CHECK_PROOF_SMALL_PROVER_H_
+#define LATCHWORK_APPS_CHECK_PROOF_SMALL_PROVER_H_
+
+#include <vector>
+
+#include "apps/check_proof/clause_match.h"
+#include "latchwork/logic/clause.h"
+
+namespace latchwork::check_proof {
+
+/// Whether clauses, each with variables of its own and `=` for equality, contradict each other: by
+/// resolution, factoring and paramodulation, shortest clause first, so far as a bounded number of
+/// clauses reaches. For the single steps of a proof, not for whole ones.
+Verdict Refute(const std::vector<std::vector<logic::Literal>>& clauses);
+
+}  // namespace latchwork::check_proof
+
+#endif  // LATCHWORK_APPS_CHECK_PROOF_SMALL_PROVER_H_

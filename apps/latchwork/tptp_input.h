@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_APPS_LATCHWORK_TPTP_INPUT_H_
+#define LATCHWORK_APPS_LATCHWORK_TPTP_INPUT_H_
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "latchwork/logic/symbol.h"
+#include "latchwork/logic/tptp.h"
+
+namespace latchwork::app {
+
+/// A TPTP file as the command line names it.
+struct TptpInput {
+  std::string file;    ///< "-": standard input.
+  std::string folder;  ///< Where includes are looked for; empty: what the variable TPTP says.
+};
+
+/// Adds `--tptp DIR`.
+void AddTptpFolder(CLI::App& command, TptpInput& input);
+
+logic::TptpFile Read(const TptpInput& input, logic::SymbolTable& symbols,
+                     bool keep_sources = false);
+
+}  // namespace latchwork::app
+
+#endif  // LATCHWORK_APPS_LATCHWORK_TPTP_INPUT_H_

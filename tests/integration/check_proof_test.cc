@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A proof that the command prints is accepted by the command that checks it; what was changed in it
+// is found.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/integration/run_command.h"
+
+namespace latchwork::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr int kVerified = 0;
+constexpr int kUnchecked = 1;
+constexpr int kUnreadable = 3;
+constexpr int kRejected = 6;
+
+constexpr std::string_view kProblem = R"(
+fof(a1, axiom, ![X] : (p(X) => ?[Y] : (q(X, Y) & (r(Y) <=> s(X))))).
+fof(a2, axiom, ![X, Y] : (q(X, Y) => (r(Y) | t(X)))).
+fof(a3, axiom, ![X] : (t(X) => s(X))).
+cnf(a4, axiom, p(X) | u(X, a)).
+fof(a5, axiom, ![X] : ~ ?[Y] : u(X, Y)).
+fof(c1, conjecture, ?[X] : s(f(X))).
+fof(c2, conjecture, ?[X, Y] : q(X, Y)).
+)";
+
+class CheckProofTest : public ::testing::Test {
+ protected:
+  std::string Prove(std::string_view problem) {
+    WriteText(scratch_.path() / "problem.p", std::string(problem));
+    const CommandResult result = RunLatchwork({"prove", "--proof", "problem.p"}, scratch_.path());
+    EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+    return result.out;
+  }
+
+  CommandResult Check(const std::string& proof, std::vector<std::string> options = {}) {
+    WriteText(scratch_.path() / "proof.out", proof);
+    std::vector<std::string> arguments{"check-proof", "problem.p", "proof.out"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return RunLatchwork(arguments, scratch_.path());
+  }
+
+  ScratchFolder scratch_;
+};
+
+/// The text with the first `from` replaced.
+std::string Replaced(std::string text, std::string_view from, std::string_view to) {
+  const std::size_t place = text.find(from);
+  EXPECT_NE(place, std::string::npos) << "no '" << from << "' in\n" << text;
+  return place == std::string::npos ? text : text.replace(place, from.size(), to);
+}
+
+/// The text without the line that begins so.
+std::string WithoutLine(const std::string& text, std::string_view beginning) {
+  const std::size_t place = text.find(beginning);
+  EXPECT_NE(place, std::string::npos) << beginning;
+  std::string shorter = text;
+  return shorter.erase(place, text.find('\n', place) - place + 1);
+}
+
+TEST_F(CheckProofTest, ProofsOfTheCommand_AreVerified) {
+  constexpr std::array<std::string_view, 6> kProblems = {
+      kProblem,
+      "cnf(a, axiom, p(X) | q). cnf(b, axiom, ~ p(f(Y))). cnf(c, axiom, ~ q).",
+      "fof(a, axiom, f(a) = b). fof(b, axiom, p(f(a))). fof(c, conjecture, p(b)).",
+      "fof(c, conjecture, ?[X] : ![Y] : (d(X) => d(Y))).",
+      "fof(c, conjecture, (((p <=> q) <=> r) <=> (p <=> (q <=> r)))).",
+      "fof(c, conjecture, ~ ?[X] : ![Y] : (f(Y, X) <=> ~ f(Y, Y))).",
+  };
+  for (const std::string_view problem : kProblems) {
+    const std::string proof = Prove(problem);
+    const CommandResult result = Check(proof);
+    EXPECT_EQ(result.exit_code, kVerified) << proof << result.out << result.err;
+    EXPECT_THAT(result.out, HasSubstr("verified: "));
+  }
+}
+
+TEST_F(CheckProofTest, DefinitionsOfLargeFormulas_AreVerified) {
+  std::string pairs;
+  std::string firsts;
+  for (const char* const i : {"1", "2", "3", "4", "5", "6"}) {
+    const std::string separator = pairs.empty() ? "" : " | ";
+    pairs += separator + "(a" + i + "(X) & ?[Y] : b" + i + "(X, Y))";
+    firsts += separator + "a" + i + "(X)";
+  }
+  const std::string proof =
+      Prove("fof(a, axiom, ![X] : (" + pairs + ")). fof(c, conjecture, ![X] : (" + firsts + ")).");
+  EXPECT_THAT(proof, HasSubstr("introduced(definition"));
+  const CommandResult result = Check(proof);
+  EXPECT_EQ(result.exit_code, kVerified) << result.err;
+}
+
+struct Change {
+  std::string name;
+  std::string from;
+  std::string to;
+  std::string complaint;
+};
+
+void PrintTo(const Change& change, std::ostream* stream) { *stream << change.name; }
+
+class ChangedProofTest : public CheckProofTest, public ::testing::WithParamInterface<Change> {};
+
+TEST_P(ChangedProofTest, IsRejected) {
+  const Change& change = GetParam();
+  const CommandResult result = Check(Replaced(Prove(kProblem), change.from, change.to));
+  EXPECT_EQ(result.exit_code, kRejected) << result.out << result.err;
+  EXPECT_THAT(result.err, HasSubstr(change.complaint));
+  EXPECT_THAT(result.err, HasSubstr("proof.out:"));
+}
+
+const Change kChanges[] = {
+    {"LeafAltered", "q(X, Y) => (r(Y) | t(X))", "q(X, Y) => (r(Y) & t(X))", "differs from 'a2'"},
+    {"LeafVariableSwapped", "t(X) => s(X)", "t(X) => s(f(X))", "differs from 'a3'"},
+    {"LeafOfAnotherName", "file('problem.p', a3)", "file('problem.p', a9)", "no formula 'a9'"},
+    {"LeafRoleChanged", "fof(c1, conjecture", "fof(c1, axiom", "role was changed"},
+    {"ConjectureNotNegated", "negated_conjecture, ~ ((", "negated_conjecture, ~ ~ ((",
+     "not the negation"},
+    {"OneOfTwoConjecturesNegated", "inference(negate,[status(cth)],[conjectures_1])",
+     "inference(negate,[status(cth)],[c1])", "all conjectures together"},
+    {"NormalFormLiteralChanged", "(~ t(X) | s(X)), inference(normalize",
+     "(t(X) | s(X)), inference(normalize", "no normal form"},
+    {"SkolemFunctionKnown", "new_symbols(skolem,[sk_1])", "new_symbols(skolem,[f])",
+     "no new function"},
+    {"SkolemArgumentDropped", "(~ p(X) | (q(X, sk_1(X)) & ((~ r(sk_1(X)) | s(X)) & (r(sk_1(X))",
+     "(~ p(X) | (q(X, sk_1) & ((~ r(sk_1) | s(X)) & (r(sk_1)", "lacks an argument"},
+    {"SkolemTermsDiffer", "q(X, sk_1(X)) & ((~ r(sk_1(X))", "q(X, sk_1(X)) & ((~ r(X)",
+     "with terms for variables"},
+    {"DefinedPredicateKnown", "definition, def_1 <=>", "definition, p(a) <=>", "not distinct"},
+    {"ClauseLiteralDropped", "~ def_1 | ~ s(f(X)), inference(clausify",
+     "~ s(f(X)), inference(clausify", "does not follow"},
+    {"InstanceNegated", "cnf(instance_1, plain, ~", "cnf(instance_1, plain,", "no instance"},
+    {"ParentUnknown", "[status(thm)],[clause_1]", "[status(thm)],[clause_77]", "does not stand"},
+    {"ParentDropped", "[instance_1,", "[", "do not contradict"},
+    {"NameTaken", "cnf(instance_2,", "cnf(instance_1,", "another step has this name"},
+    {"ConjectureTakenForGranted", "[instance_1,", "[c1,instance_1,", "takes a conjecture"},
+    {"NoSource", ", inference(instantiate,[status(thm)],[clause_1])", "", "does not say where"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Changes, ChangedProofTest, ::testing::ValuesIn(kChanges),
+                         [](const auto& change) { return change.param.name; });
+
+TEST_F(CheckProofTest, RenamedVariableOfOnePlace_IsRejected) {
+  const std::string proof = Prove("cnf(a, axiom, p(X, X)). cnf(b, axiom, ~ p(Y, Y)).");
+  const std::string changed = Replaced(proof, "cnf(a, axiom, p(X, X)", "cnf(a, axiom, p(X, Y)");
+  EXPECT_EQ(Check(changed).exit_code, kRejected);
+  EXPECT_EQ(Check(Replaced(proof, "cnf(a, axiom, p(X, X)", "cnf(a, axiom, p(Z, Z)")).exit_code,
+            kVerified);
+}
+
+TEST_F(CheckProofTest, DefinitionOfKnownPredicate_IsRejected) {
+  Prove("cnf(a, axiom, p). cnf(b, axiom, ~ p).");
+  const CommandResult result = Check(
+      "fof(d, definition, p <=> $false, introduced(definition,[new_symbols(definition,[p])],[])).\n"
+      "cnf(a, axiom, p, file('problem.p', a)).\n"
+      "cnf(z, plain, $false, inference(resolution,[status(thm)],[d,a])).\n");
+  EXPECT_EQ(result.exit_code, kRejected);
+  EXPECT_THAT(result.err, HasSubstr("proof.out:1:5: error: step 'd': rejected: 'p' is not new"));
+}
+
+TEST_F(CheckProofTest, ProofThatEndsEarly_IsRejected) {
+  const CommandResult result = Check(WithoutLine(Prove(kProblem), "cnf(refutation_1"));
+  EXPECT_EQ(result.exit_code, kRejected);
+  EXPECT_THAT(result.err, HasSubstr("the last step is not $false"));
+  EXPECT_EQ(Check("% nothing\n").exit_code, kRejected);
+}
+
+TEST_F(CheckProofTest, SaturationSteps_AreVerified) {
+  Prove(
+      "cnf(a, axiom, f(X, e) = X). cnf(b, axiom, p(f(c, Y)) | q(Y)). cnf(d, axiom, ~ p(c)). "
+      "cnf(g, axiom, ~ q(e)).");
+  const std::string leaves =
+      "cnf(a, axiom, f(X, e) = X, file('problem.p', a)).\n"
+      "cnf(b, axiom, p(f(c, Y)) | q(Y), file('problem.p', b)).\n"
+      "cnf(d, axiom, ~ p(c), file('problem.p', d)).\n"
+      "cnf(g, axiom, ~ q(e), file('problem.p', g)).\n";
+  const std::string end =
+      "cnf(2, plain, q(e), inference(resolution,[status(thm)],[1,d])).\n"
+      "cnf(3, plain, $false, inference(resolution,[status(thm)],[2,g])).\n";
+  const std::string right =
+      "cnf(1, plain, p(c) | q(e), inference(superposition,[status(thm)],[a,b])).\n";
+  const std::string wrong = "cnf(1, plain, p(c), inference(superposition,[status(thm)],[a,b])).\n";
+  EXPECT_EQ(Check(leaves + right + end).exit_code, kVerified);
+  EXPECT_EQ(Check(leaves + wrong + end).exit_code, kRejected);
+}
+
+TEST_F(CheckProofTest, WhatCannotBeChecked_IsSaid) {
+  Prove("cnf(a, axiom, p). cnf(b, axiom, ~ p).");
+  const CommandResult result = Check(
+      "cnf(t, plain, $less(1, 2), introduced(theory,[theory(arithmetic)],[])).\n"
+      "cnf(a, axiom, p, file('problem.p', a)).\ncnf(b, axiom, ~ p, file('problem.p', b)).\n"
+      "cnf(z, plain, $false, inference(resolution,[status(thm)],[a,b,t])).\n");
+  EXPECT_EQ(result.exit_code, kUnchecked);
+  EXPECT_THAT(result.err, HasSubstr("step 't': not checked: "));
+  EXPECT_THAT(result.out, HasSubstr("not checked: 3 steps verified, 0 rejected, 1 not checked"));
+}
+
+TEST_F(CheckProofTest, Json_NamesTheWrongStep) {
+  const std::string proof = Replaced(Prove(kProblem), "[instance_1,", "[");
+  const auto report = nlohmann::json::parse(Check(proof, {"--json"}).out);
+  EXPECT_EQ(report["verdict"], "rejected");
+  EXPECT_EQ(report["rejected"], 1);
+  EXPECT_EQ(report["steps"][0]["name"], "refutation_1");
+  EXPECT_EQ(report["steps"][0]["column"], 5);
+}
+
+TEST_F(CheckProofTest, UnreadableFiles_AreRefused) {
+  Prove(kProblem);
+  EXPECT_EQ(Check("cnf(a, axiom, p(.\n").exit_code, kUnreadable);
+  EXPECT_EQ(RunLatchwork({"check-proof", "nowhere.p", "proof.out"}, scratch_.path()).exit_code,
+            kUnreadable);
+}
+
+}  // namespace
+}  // namespace latchwork::testing
