@@ -21,7 +21,7 @@ using check_proof::StepState;
 
 struct CheckProofSettings {
   TptpInput problem;
-  TptpInput proof{"-", {}};
+  TptpInput proof;
   bool json = false;
 };
 
@@ -100,6 +100,7 @@ int RunCheckProof(const CheckProofSettings& settings) {
 
 void AddCheckProof(CLI::App& app, Context& context) {
   auto settings = std::make_shared<CheckProofSettings>();
+  settings->proof.file = "-";
   CLI::App* command = app.add_subcommand(
       "check-proof", "Check a proof in TSTP syntax against its problem, independently");
   command->add_option("PROBLEM", settings->problem.file, "TPTP file of the problem")->required();

@@ -24,8 +24,11 @@
 namespace latchwork::app {
 namespace {
 
+/// Enough for what may be read at all: memory is bounded by --memory.
+constexpr std::size_t kMostTokens = 200'000'000;
+
 struct ProveSettings {
-  TptpInput input;
+  TptpInput input{"", "", kMostTokens};
   double seconds = 10.0;
   std::size_t memory_mb = 4096;
   std::uint64_t inferences = std::numeric_limits<std::uint64_t>::max();

@@ -31,6 +31,7 @@ void AddTptpFolder(CLI::App& command, TptpInput& input) {
 logic::TptpFile Read(const TptpInput& input, logic::SymbolTable& symbols, bool keep_sources) {
   logic::TptpOptions options;
   options.keep_sources = keep_sources;
+  options.max_tokens = input.max_tokens;
   options.include_root = input.folder;
   const char* const root = std::getenv("TPTP");
   if (input.folder.empty() && root != nullptr) options.include_root = root;

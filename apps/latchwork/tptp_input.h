@@ -3,6 +3,7 @@
 #define LATCHWORK_APPS_LATCHWORK_TPTP_INPUT_H_
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 #include <string>
 
 #include "latchwork/logic/symbol.h"
@@ -14,6 +15,7 @@ namespace latchwork::app {
 struct TptpInput {
   std::string file;    ///< "-": standard input.
   std::string folder;  ///< Where includes are looked for; empty: what the variable TPTP says.
+  std::size_t max_tokens = logic::TptpOptions().max_tokens;
 };
 
 /// Adds `--tptp DIR`.
