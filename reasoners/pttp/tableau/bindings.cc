@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reasoners/pttp/tableau/bindings.h"
+
+namespace latchwork::pttp {
+
+bool Bindings::Occurs(std::uint32_t variable, Instance term) {
+  visits_.clear();
+  visits_.push_back(term);
+  while (!visits_.empty()) {
+    const Instance current = visits_.back();
+    visits_.pop_back();
+    const Cell* block = cells_ + OffsetOfCell(current.cell);
+    for (std::uint32_t i = block[1]; i > 0; --i) {
+      const Instance argument = Resolve({block[1 + i], current.base});
+      if (TagOfCell(argument.cell) == kOpenTag) {
+        visits_.push_back(argument);
+      } else if (TagOfCell(argument.cell) == kVariableTag && VariableOf(argument) == variable) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool Bindings::UnifyCompounds(Instance a, Instance b, bool safe) {
+  pairs_.clear();
+  pairs_.emplace_back(a, b);
+  while (!pairs_.empty()) {
+    const auto [left, right] = pairs_.back();
+    pairs_.pop_back();
+    const Cell* x = cells_ + OffsetOfCell(left.cell);
+    const Cell* y = cells_ + OffsetOfCell(right.cell);
+    if (x[0] != y[0]) return false;
+    for (std::uint32_t i = 0; i < x[1]; ++i) {
+      const Instance p = Resolve({x[2 + i], left.base});
+      const Instance q = Resolve({y[2 + i], right.base});
+      const bool descend = TagOfCell(p.cell) >= kOpenTag && TagOfCell(q.cell) >= kOpenTag;
+      if (!descend) {
+        if (!UnifyTerms(p, q, safe)) return false;
+      } else if (p.cell == q.cell && (p.base == q.base || TagOfCell(p.cell) == kGroundTag)) {
+        continue;
+      } else if (TagOfCell(p.cell) == kGroundTag && TagOfCell(q.cell) == kGroundTag) {
+        return false;
+      } else {
+        pairs_.emplace_back(p, q);
+      }
+    }
+  }
+  return true;
+}
+
+bool Bindings::SameCompounds(Instance a, Instance b) {
+  pairs_.clear();
+  pairs_.emplace_back(a, b);
+  while (!pairs_.empty()) {
+    const auto [left, right] = pairs_.back();
+    pairs_.pop_back();
+    const Cell* x = cells_ + OffsetOfCell(left.cell);
+    const Cell* y = cells_ + OffsetOfCell(right.cell);
+    if (x[0] != y[0]) return false;
+    for (std::uint32_t i = 0; i < x[1]; ++i) {
+      const Instance p = Resolve({x[2 + i], left.base});
+      const Instance q = Resolve({y[2 + i], right.base});
+      const bool descend = TagOfCell(p.cell) >= kOpenTag && TagOfCell(q.cell) >= kOpenTag;
+      if (!descend) {
+        if (!SameTerms(p, q)) return false;
+      } else if (p.cell == q.cell && (p.base == q.base || TagOfCell(p.cell) == kGroundTag)) {
+        continue;
+      } else {
+        pairs_.emplace_back(p, q);
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace latchwork::pttp

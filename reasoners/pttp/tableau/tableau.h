@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_PTTP_TABLEAU_TABLEAU_H_
+#define LATCHWORK_PTTP_TABLEAU_TABLEAU_H_
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "latchwork/logic/clause.h"
+#include "reasoners/pttp/strategy.h"
+#include "reasoners/pttp/tableau/bindings.h"
+#include "reasoners/pttp/tableau/grow_stack.h"
+#include "reasoners/pttp/tableau/matrix.h"
+
+namespace latchwork::pttp {
+
+enum class TableauEnd : std::uint8_t {
+  kClosed,     ///< A refutation was found.
+  kSaturated,  ///< There is none: the search space of a complete strategy was exhausted.
+  kGaveUp,     ///< The search space was exhausted, but the strategy leaves refutations out.
+  kStopped,    ///< The caller had it stopped.
+  kMemory,     ///< It would have needed more memory than it may use.
+};
+
+/// One more or less instantiated input clause of a refutation.
+struct ClauseInstance {
+  std::uint32_t clause = 0;  ///< Index among the clauses of the matrix.
+  std::vector<logic::Literal> literals;
+};
+
+/// The connection tableau calculus (Letz and Stenz, "Model elimination and connection tableau
+/// procedures", 2001) as an abstract machine: extension, reduction, regularity, lemmata, by
+/// iterative deepening on the length of branches. Units, reductions, lemmata and ground clauses are
+/// not charged. Nothing recurses, terms are shared, nothing is allocated once the stacks have
+/// grown. Not to be used by two threads at once; different ones may share no Matrix.
+class Tableau {
+ public:
+  /// `stop` is asked about every ten thousandth of a second of search.
+  Tableau(Matrix& matrix, const Strategy& strategy, std::size_t memory_bytes,
+          std::function<bool()> stop);
+
+  TableauEnd Search();
+
+  /// Extension and reduction steps that succeeded.
+  std::uint64_t inferences() const { return inferences_; }
+  std::uint32_t depth() const { return depth_; }
+  /// After kClosed: the clause instances of the refutation; their literals as atoms are together
+  /// contradictory by propositional logic alone. Variables are numbered across all instances.
+  std::vector<ClauseInstance> Refutation() const;
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+  /// Where the search goes on: at the next open literal of a clause copy.
+  struct Place {
+    std::uint32_t frame;
+    std::uint32_t index;
+    std::uint32_t lemma;  ///< The newest that holds there.
+  };
+  /// A literal of a clause copy.
+  struct Goal {
+    std::uint32_t key;
+    std::uint32_t arguments;
+    std::uint32_t arity;
+    std::uint32_t base;
+  };
+  /// A goal that was extended, and the clause copy whose other literals are then to be solved. The
+  /// goals of the frames that `next` leads to are its ancestors.
+  struct Frame {
+    Goal goal;
+    Place next;
+    std::uint32_t body;  ///< Offset of the literals.
+    std::uint32_t size;
+    std::uint32_t base;
+    std::uint32_t left;    ///< How many steps may still follow each other below it.
+    std::uint32_t height;  ///< Choices that were there before the goal was called.
+    std::uint32_t kept;    ///< Choices that an exclusive cut keeps.
+    std::uint32_t trail;   ///< As it was when the goal was called.
+    std::uint32_t fresh;   ///< Variables from here on are younger than the goal.
+  };
+  using Keys = std::array<std::uint32_t, Connection::kKeys>;
+  struct Choice {
+    Place place;
+    std::uint32_t ancestor;
+    std::uint32_t connection;
+    std::uint32_t variables;
+    std::uint32_t trail;
+    std::uint32_t frames;
+    std::uint32_t steps;
+    std::uint32_t lemmata;
+    Keys keys;
+  };
+  struct Lemma {
+    Goal goal;
+    std::uint32_t next;
+  };
+  struct Step {
+    std::uint32_t entry;
+    std::uint32_t base;
+  };
+
+  TableauEnd Run(std::uint32_t start);
+  void Begin(std::uint32_t start);
+  bool Advance();
+  bool Call();
+  bool Retry();
+  bool TryReductions(const Goal& goal);
+  bool TryConnections(const Goal& goal, const ConnectionList& list);
+  bool TryEntry(const Goal& goal, const Entry& entry, Choice& choice, std::uint32_t height);
+  void Open(const Goal& goal, const Entry& entry, std::uint32_t base, const Choice& choice,
+            std::uint32_t height);
+  void SolvedAtOnce(const Choice& choice, std::uint32_t height);
+  void Leave();
+  Goal GoalAt(std::uint32_t literal, std::uint32_t base) const;
+  std::uint32_t LiteralAt(const Place& place) const;
+  bool SameGoals(const Goal& a, const Goal& b);
+  bool LooksUp(const Goal& goal, std::uint32_t& complement);
+  bool IsLemma(const Goal& goal);
+  Keys KeysOf(const Goal& goal) const;
+  std::uint32_t NextFitting(const ConnectionList& list, const Keys& keys, std::uint32_t from,
+                            bool free_only) const;
+  void Rewind(const Choice& choice);
+  std::size_t bytes() const;
+  logic::Term Export(Instance term, std::vector<std::uint32_t>& variables) const;
+
+  Matrix& matrix_;
+  Strategy strategy_;
+  std::size_t memory_bytes_;
+  std::function<bool()> stop_;
+  Bindings bindings_;
+  GrowStack<Frame> frames_;
+  GrowStack<Choice> choices_;
+  GrowStack<Lemma> lemmata_;
+  GrowStack<Step> steps_;
+  Place place_{};
+  std::uint32_t depth_ = 0;
+  bool cut_off_ = false;
+  bool pruned_ = false;
+  std::uint64_t inferences_ = 0;
+  std::uint64_t polls_ = 0;
+};
+
+}  // namespace latchwork::pttp
+
+#endif  // LATCHWORK_PTTP_TABLEAU_TABLEAU_H_
