@@ -15,11 +15,13 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "apps/latchwork/command.h"
 #include "apps/latchwork/prove_limits.h"
 #include "apps/latchwork/tptp_input.h"
 #include "reasoners/pttp/prover.h"
+#include "reasoners/pttp/schedule.h"
 
 namespace latchwork::app {
 namespace {
@@ -71,7 +73,10 @@ Outcome Attempt(const ProveSettings& settings, const logic::TptpFile& input,
   options.budget.depth = settings.depth;
   options.budget.deadline = Guard(settings.seconds);
   options.budget.cancelled = &ProveLimits::cancelled();
+  options.cpu_seconds = settings.seconds;
+  if (settings.memory_mb != 0) options.memory_bytes = settings.memory_mb << 20U;
   options.strategy = settings.strategy;
+  options.answers = settings.answers || input.asks;
   options.proof = settings.proof || settings.answers || input.asks;
   Outcome outcome;
   try {
@@ -117,19 +122,18 @@ void PrintText(const ProveSettings& settings, bool answers, const Outcome& outco
     fmt::print("% SZS output end Proof for {}\n", file);
   }
   if (settings.statistics) {
-    fmt::print("% clauses {}\n% inferences {}\n% depth {}\n", result.clauses,
-               result.statistics.inferences, result.statistics.depth);
+    fmt::print("% strategy {}\n% clauses {}\n% inferences {}\n% depth {}\n", result.strategy,
+               result.clauses, result.statistics.inferences, result.statistics.depth);
   }
 }
 
 void PrintJson(const ProveSettings& settings, bool answers, const Outcome& outcome) {
   const pttp::ProverResult& result = outcome.result;
-  nlohmann::ordered_json report{{"file", settings.input.file},
-                                {"status", outcome.status},
-                                {"message", result.message},
-                                {"clauses", result.clauses},
-                                {"inferences", result.statistics.inferences},
-                                {"depth", result.statistics.depth}};
+  nlohmann::ordered_json report{
+      {"file", settings.input.file},     {"status", outcome.status},
+      {"strategy", result.strategy},     {"message", result.message},
+      {"clauses", result.clauses},       {"inferences", result.statistics.inferences},
+      {"depth", result.statistics.depth}};
   if (answers && outcome.proved) report["answers"] = result.answers;
   if (settings.proof && outcome.proved) report["proof"] = result.proof;
   fmt::print("{}\n", report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
@@ -146,6 +150,22 @@ int RunProve(const ProveSettings& settings) {
   settings.json ? PrintJson(settings, answers, outcome) : PrintText(settings, answers, outcome);
   std::fflush(stdout);
   return outcome.proved ? kDone : kGoalNotReached;
+}
+
+std::vector<std::string> StrategyNames() {
+  std::vector<std::string> names;
+  for (const pttp::NamedStrategy& strategy : pttp::Strategies()) names.emplace_back(strategy.name);
+  return names;
+}
+
+std::string StrategyHelp() {
+  std::string help =
+      "Which search to make; without it, a schedule that suits the problem. [C]: complete";
+  for (const pttp::NamedStrategy& strategy : pttp::Strategies()) {
+    help +=
+        fmt::format("\n  {}{}: {}", strategy.name, strategy.complete ? " [C]" : "", strategy.help);
+  }
+  return help;
 }
 
 void AddLimits(CLI::App& command, ProveSettings& settings) {
@@ -171,8 +191,8 @@ void AddProve(CLI::App& app, Context& context) {
       ->required();
   AddTptpFolder(*command, settings->input);
   AddLimits(*command, *settings);
-  command->add_option("--strategy", settings->strategy,
-                      "Which search to make; without it, what is best for the problem");
+  command->add_option("--strategy", settings->strategy, StrategyHelp())
+      ->check(CLI::IsMember(StrategyNames()));
   command->add_flag("--proof,!--no-proof", settings->proof, "Print the proof in TSTP syntax");
   command->add_flag("--answers", settings->answers,
                     "Print the values of the conjecture's variables; always done for a question");

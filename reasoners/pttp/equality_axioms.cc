@@ -48,6 +48,7 @@ class AxiomMaker {
  public:
   explicit AxiomMaker(logic::Symbol equality) : equality_(equality) {}
 
+  Clause Reflexivity() const { return Make("reflexivity", {Equal(true, 0, 0)}, 1); }
   Clause Symmetry() const { return Make("symmetry", {Equal(false, 0, 1), Equal(true, 1, 0)}, 2); }
   Clause Transitivity() const {
     return Make("transitivity", {Equal(false, 0, 1), Equal(false, 1, 2), Equal(true, 0, 2)}, 3);
@@ -91,6 +92,10 @@ class AxiomMaker {
 };
 
 }  // namespace
+
+Clause Reflexivity(logic::SymbolTable& symbols) {
+  return AxiomMaker(symbols.Intern("=")).Reflexivity();
+}
 
 std::vector<Clause> EqualityAxioms(std::span<const Clause> clauses,
                                    std::span<const logic::Fact> facts,

@@ -10,9 +10,11 @@
 
 namespace latchwork::pttp {
 
+/// X = X, which the machine of the control loop has built in.
+logic::Clause Reflexivity(logic::SymbolTable& symbols);
+
 /// Symmetry, transitivity and substitution for every function and predicate of the clauses and of
-/// `facts`, when a clause can conclude an equation; none otherwise. Reflexivity is built into the
-/// search.
+/// `facts`, when a clause can conclude an equation; none otherwise.
 std::vector<logic::Clause> EqualityAxioms(std::span<const logic::Clause> clauses,
                                           std::span<const logic::Fact> facts,
                                           logic::SymbolTable& symbols);

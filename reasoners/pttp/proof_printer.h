@@ -3,47 +3,50 @@
 #define LATCHWORK_PTTP_PROOF_PRINTER_H_
 
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "latchwork/logic/formula.h"
-#include "reasoners/pttp/engine.h"
-#include "reasoners/pttp/machine.h"
+#include "reasoners/pttp/clause_instance.h"
+#include "reasoners/pttp/saturation/saturate.h"
 #include "reasoners/pttp/tstp_printer.h"
 
 namespace latchwork::pttp {
 
-/// Writes a recorded proof as a TSTP derivation: the formulas used, their clauses, one instance of
-/// a clause for each step, and $false, which follows from the instances by propositional logic
-/// alone.
+/// Writes a refutation as a TSTP derivation: the formulas used, their clauses, and either one
+/// instance of a clause for each step of a tableau and $false, which follows from the instances by
+/// propositional logic alone, or each conclusion of a saturation.
 class ProofPrinter {
  public:
-  ProofPrinter(Engine& engine, const ProofSources& sources)
-      : engine_(engine), sources_(sources), tstp_(sources) {}
+  /// `clauses`: what was searched, the clauses of the formulas among them.
+  ProofPrinter(std::span<const logic::Clause> clauses, const ProofSources& sources)
+      : clauses_(clauses), sources_(sources), tstp_(sources) {}
 
-  void Print(const Proof& proof);
+  // A tableau: everything that it consists of, then the end.
+  void Add(const ClauseInstance& instance);
+  /// A literal that a built-in theory makes true.
+  void AddTheoryFact(const logic::Literal& literal, std::string_view theory);
+  void Finish();
+
+  void Print(std::span<const saturation::Step> steps);
+
   bool uses_conjecture() const { return tstp_.uses_conjecture(); }
+  std::span<const logic::Clause> clauses() const { return clauses_; }
 
   std::vector<std::string> lines;
   std::vector<std::vector<std::string>> answers;
 
  private:
-  void Instance(std::uint32_t index, const Contrapositive& rule, const Word* slots);
-  void AddInstance(std::string literals, std::uint32_t clause);
-  void AddTheoryFact(const logic::Literal& literal, std::string_view theory);
-  void AddFact(const logic::Atom& fact);
-  void AddStep(const Step& step);
-  void AddAnswer(const logic::Clause& clause, const Word* slots);
+  void AddAnswer(const ClauseInstance& instance);
 
-  Engine& engine_;
+  std::span<const logic::Clause> clauses_;
   ProofSources sources_;
   TstpPrinter tstp_;
   std::set<std::string> known_instances_;
   std::vector<std::pair<std::string, std::string>> instances_;  ///< Text, and name of the clause.
   std::vector<std::string> facts_;                              ///< Names.
-  std::vector<Word> variables_;
 };
 
 }  // namespace latchwork::pttp

@@ -2,80 +2,53 @@
 #include "reasoners/pttp/prover.h"
 
 #include <algorithm>
+#include <ctime>
+#include <functional>
+#include <utility>
 
-#include "latchwork/logic/clausify.h"
 #include "reasoners/pttp/engine.h"
+#include "reasoners/pttp/engine_proof.h"
 #include "reasoners/pttp/equality_axioms.h"
 #include "reasoners/pttp/proof_printer.h"
+#include "reasoners/pttp/prover_problem.h"
+#include "reasoners/pttp/schedule.h"
+#include "reasoners/pttp/tableau/tableau.h"
 
 namespace latchwork::pttp {
 namespace {
 
-using logic::Clause;
-using logic::Term;
-
-/// Whether a term means something by itself: a number, a distinct object, an interpreted function.
-bool HasFixedMeaning(const Term& term) {
-  std::vector<const Term*> visits{&term};
-  while (!visits.empty()) {
-    const Term& current = *visits.back();
-    visits.pop_back();
-    if (current.is_number()) return true;
-    if (current.is_variable()) continue;
-    const logic::Symbol symbol = current.symbol();
-    if (symbol.kind() == logic::SymbolKind::kDistinctObject || symbol.name().starts_with('$')) {
-      return true;
-    }
-    for (const Term& argument : current.arguments()) visits.push_back(&argument);
-  }
-  return false;
+double CpuSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-bool HasFixedMeaning(const Clause& clause) {
-  return std::any_of(clause.literals.begin(), clause.literals.end(), [](const auto& literal) {
-    const auto arguments = literal.atom.arguments();
-    return literal.atom.predicate().name().starts_with('$') ||
-           std::any_of(arguments.begin(), arguments.end(),
-                       [](const Term& term) { return HasFixedMeaning(term); });
-  });
-}
+/// What a strategy came to.
+enum class End : std::uint8_t {
+  kRefuted,
+  kModel,    ///< There is no refutation.
+  kGaveUp,   ///< It was at its end and knows nothing.
+  kSlice,    ///< Its time was over.
+  kStopped,  ///< The whole attempt must end.
+  kMemory,
+};
 
 class RefutationSink final : public ProofSink {
  public:
-  RefutationSink(Engine& engine, const ProofSources& sources, ProverResult& result)
-      : engine_(engine), sources_(sources), result_(result) {}
+  RefutationSink(Engine& engine, ProofPrinter* printer) : engine_(engine), printer_(printer) {}
 
   bool Accept(const Proof& proof) override {
-    result_.statistics.depth = proof.depth;
-    ProofPrinter printer(engine_, sources_);
-    printer.Print(proof);
-    result_.proof = std::move(printer.lines);
-    result_.uses_conjecture = printer.uses_conjecture();
-    result_.answers = std::move(printer.answers);
+    depth = proof.depth;
+    if (printer_ != nullptr) AddProof(proof, engine_, *printer_);
     return true;
   }
 
+  std::uint32_t depth = 0;
+
  private:
   Engine& engine_;
-  ProofSources sources_;
-  ProverResult& result_;
+  ProofPrinter* printer_;
 };
-
-Szs StatusOf(SearchEnd end, const Meter& meter, bool conjecture, bool decidable) {
-  switch (end) {
-    case SearchEnd::kAccepted:
-      return conjecture ? Szs::kTheorem : Szs::kUnsatisfiable;
-    case SearchEnd::kExhausted:
-      if (!decidable) return Szs::kGaveUp;
-      return conjecture ? Szs::kCounterSatisfiable : Szs::kSatisfiable;
-    case SearchEnd::kStopped:
-      return meter.limit() == sdk::Limit::kInferences ? Szs::kResourceOut : Szs::kTimeout;
-    case SearchEnd::kDepth:
-    case SearchEnd::kUndetermined:
-      break;
-  }
-  return Szs::kGaveUp;
-}
 
 /// Clauses of the negated conjecture first, then every other clause without a positive literal:
 /// some minimal refutation starts at one of the latter (Loveland 1968).
@@ -88,6 +61,176 @@ std::vector<const Contrapositive*> StartClauses(const Program& program) {
     }
   }
   return starts;
+}
+
+/// One attempt: the problem, what may be spent, and what came out.
+class Attempt {
+ public:
+  Attempt(const ProverProblem& problem, logic::SymbolTable& symbols, const ProofSources& sources,
+          const ProverOptions& options)
+      : problem_(problem), symbols_(symbols), sources_(sources), options_(options) {}
+
+  End Run(const NamedStrategy& strategy, double seconds) {
+    slice_end_ = CpuSeconds() + seconds;
+    result.strategy = strategy.name;
+    switch (strategy.method) {
+      case NamedStrategy::Method::kTableau:
+        return RunTableau(strategy.tableau);
+      case NamedStrategy::Method::kSaturation:
+        return RunSaturation(strategy.saturation);
+      case NamedStrategy::Method::kEngine:
+        return RunEngine();
+    }
+    return End::kGaveUp;
+  }
+
+  ProverResult result;
+
+ private:
+  bool MustEnd() const {
+    const sdk::Budget& budget = options_.budget;
+    return (budget.cancelled != nullptr && budget.cancelled->load(std::memory_order_relaxed)) ||
+           (budget.deadline && std::chrono::steady_clock::now() >= *budget.deadline);
+  }
+  bool SliceIsOver() const { return MustEnd() || CpuSeconds() >= slice_end_; }
+
+  std::uint64_t InferencesLeft() const {
+    return options_.budget.inferences -
+           std::min(options_.budget.inferences, result.statistics.inferences);
+  }
+
+  End RunTableau(Strategy strategy) {
+    strategy.deepest = options_.budget.depth;
+    strategy.inferences = InferencesLeft();
+    std::vector<logic::Clause> clauses = problem_.clauses;
+    if (problem_.mentions_equality) clauses.push_back(Reflexivity(symbols_));
+    Matrix matrix(clauses, strategy);
+    Tableau tableau(matrix, strategy, options_.memory_bytes, [this] { return SliceIsOver(); });
+    const TableauEnd end = tableau.Search();
+    result.statistics.inferences += tableau.inferences();
+    result.statistics.depth = tableau.depth();
+    switch (end) {
+      case TableauEnd::kClosed:
+        if (options_.proof) Print(clauses, tableau.Refutation());
+        return End::kRefuted;
+      case TableauEnd::kSaturated:
+        return End::kModel;
+      case TableauEnd::kGaveUp:
+        return End::kGaveUp;
+      case TableauEnd::kStopped:
+        return InferencesLeft() == 0 || MustEnd() ? End::kStopped : End::kSlice;
+      case TableauEnd::kMemory:
+        break;
+    }
+    return End::kMemory;
+  }
+
+  End RunSaturation(saturation::Options strategy) {
+    strategy.max_inferences = InferencesLeft();
+    const std::function<bool()> stop = [this] { return SliceIsOver(); };
+    const saturation::Outcome outcome =
+        saturation::Saturate({problem_.input(), symbols_}, strategy, {options_.memory_bytes, stop});
+    result.statistics.inferences += outcome.statistics.inferences;
+    switch (outcome.status) {
+      case saturation::Status::kRefuted:
+        if (options_.proof) {
+          ProofPrinter printer(problem_.input(), sources_);
+          printer.Print(outcome.proof);
+          Keep(printer);
+        }
+        return End::kRefuted;
+      case saturation::Status::kSaturated:
+        return End::kModel;
+      case saturation::Status::kGaveUp:
+        return End::kGaveUp;
+      case saturation::Status::kStopped:
+        return MustEnd() ? End::kStopped : End::kSlice;
+      case saturation::Status::kInferences:
+        return End::kStopped;
+      case saturation::Status::kMemory:
+        break;
+    }
+    return End::kMemory;
+  }
+
+  End RunEngine() {
+    Engine engine(symbols_, {});
+    engine.SetTheory(problem_.clauses, {});
+    engine.Begin(options_.budget);
+    SearchRequest request;
+    request.starts = StartClauses(engine.program());
+    request.reach = &engine.ReachFor(request.starts, false);
+    request.depth = options_.budget.depth;
+    request.record = options_.proof;
+    ProofPrinter printer(engine.program().clauses(), sources_);
+    RefutationSink sink(engine, options_.proof ? &printer : nullptr);
+    const SearchEnd end = engine.Search(request, sink);
+    result.statistics.inferences += engine.meter().inferences();
+    result.statistics.depth = sink.depth;
+    result.message = engine.obstacle();
+    if (end == SearchEnd::kAccepted) {
+      if (options_.proof) {
+        printer.Finish();
+        Keep(printer);
+      }
+      return End::kRefuted;
+    }
+    if (end == SearchEnd::kStopped) return End::kStopped;
+    return end == SearchEnd::kExhausted ? End::kModel : End::kGaveUp;
+  }
+
+  void Print(std::span<const logic::Clause> clauses, const std::vector<ClauseInstance>& instances) {
+    ProofPrinter printer(clauses, sources_);
+    for (const ClauseInstance& instance : instances) printer.Add(instance);
+    printer.Finish();
+    Keep(printer);
+  }
+  void Keep(ProofPrinter& printer) {
+    result.proof = std::move(printer.lines);
+    result.answers = std::move(printer.answers);
+    result.uses_conjecture = printer.uses_conjecture();
+  }
+
+  const ProverProblem& problem_;
+  logic::SymbolTable& symbols_;
+  ProofSources sources_;
+  const ProverOptions& options_;
+  double slice_end_ = 0;
+};
+
+Szs StatusOf(End end, const ProverProblem& problem, const ProverOptions& options,
+             const ProverResult& result) {
+  switch (end) {
+    case End::kRefuted:
+      return problem.has_conjecture ? Szs::kTheorem : Szs::kUnsatisfiable;
+    case End::kModel:
+      return problem.has_conjecture ? Szs::kCounterSatisfiable : Szs::kSatisfiable;
+    case End::kStopped:
+      return result.statistics.inferences >= options.budget.inferences ? Szs::kResourceOut
+                                                                       : Szs::kTimeout;
+    case End::kMemory:
+      return Szs::kResourceOut;
+    case End::kSlice:
+      return Szs::kTimeout;
+    case End::kGaveUp:
+      break;
+  }
+  return Szs::kGaveUp;
+}
+
+std::vector<Slice> SlicesFor(const ProverProblem& problem, const ProverOptions& options) {
+  std::vector<Slice> slices;
+  if (const NamedStrategy* chosen = FindStrategy(options.strategy); chosen != nullptr) {
+    slices.push_back({chosen, 1});
+  } else {
+    slices = ScheduleFor(problem);
+  }
+  if (options.answers && slices.size() > 1) {
+    std::erase_if(slices, [](const Slice& slice) {
+      return slice.strategy->method == NamedStrategy::Method::kSaturation;
+    });
+  }
+  return slices;
 }
 
 }  // namespace
@@ -115,30 +258,25 @@ std::string_view Name(Szs status) {
 ProverResult Prove(const std::vector<logic::AnnotatedFormula>& formulas,
                    logic::SymbolTable& symbols, std::string_view file,
                    const ProverOptions& options) {
-  ProverResult result;
-  logic::ClauseOrigins origins;
-  std::vector<Clause> clauses =
-      logic::Clausify(formulas, symbols, {}, nullptr, options.proof ? &origins : nullptr);
-  const bool decidable = std::none_of(clauses.begin(), clauses.end(),
-                                      [](const Clause& clause) { return HasFixedMeaning(clause); });
-  for (Clause& axiom : EqualityAxioms(clauses, {}, symbols)) clauses.push_back(std::move(axiom));
-  result.clauses = clauses.size();
-  Engine engine(symbols, {});
-  engine.SetTheory(std::move(clauses), {});
-  engine.Begin(options.budget);
-  SearchRequest request;
-  request.starts = StartClauses(engine.program());
-  request.reach = &engine.ReachFor(request.starts, false);
-  request.depth = options.budget.depth;
-  request.record = options.proof;
-  RefutationSink sink(engine, {formulas, origins, file}, result);
-  const SearchEnd end = engine.Search(request, sink);
-  const bool conjecture = std::any_of(formulas.begin(), formulas.end(), [](const auto& formula) {
-    return formula.role == logic::Role::kConjecture;
-  });
-  result.status = StatusOf(end, engine.meter(), conjecture, decidable);
-  result.statistics.inferences = engine.meter().inferences();
-  result.message = engine.obstacle();
+  const double end_seconds = CpuSeconds() + options.cpu_seconds;
+  const ProverProblem problem(formulas, symbols, options.proof);
+  Attempt attempt(problem, symbols, {formulas, problem.origins, file}, options);
+  const std::vector<Slice> slices = SlicesFor(problem, options);
+  double shares = 0;
+  for (const Slice& slice : slices) shares += slice.share;
+  End best = End::kGaveUp;
+  for (const Slice& slice : slices) {
+    const double left = end_seconds - CpuSeconds();
+    const End end = attempt.Run(*slice.strategy, left * slice.share / shares);
+    shares -= slice.share;
+    // A model of the clauses need not respect what numbers and distinct objects mean.
+    if (end == End::kModel && problem.has_fixed_meaning) continue;
+    if (end != End::kGaveUp) best = end;
+    if (end == End::kRefuted || end == End::kModel || end == End::kStopped) break;
+  }
+  ProverResult result = std::move(attempt.result);
+  result.status = StatusOf(best, problem, options, result);
+  result.clauses = problem.clauses.size();
   return result;
 }
 

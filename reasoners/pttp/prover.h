@@ -2,6 +2,7 @@
 #ifndef LATCHWORK_PTTP_PROVER_H_
 #define LATCHWORK_PTTP_PROVER_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -27,14 +28,20 @@ std::string_view Name(Szs status);
 
 struct ProverOptions {
   sdk::Budget budget;
-  bool proof = false;    ///< Write the proof down.
-  std::string strategy;  ///< Which search to make; empty: what is best for the problem.
+  /// CPU seconds of the process, from now on, that the schedule divides among its strategies.
+  double cpu_seconds = 10.0;
+  std::size_t memory_bytes = std::size_t{2} << 30U;
+  bool proof = false;  ///< Write the proof down.
+  bool answers =
+      false;  ///< Only strategies that can tell the values of the conjecture's variables.
+  std::string strategy;  ///< One of Strategies(); empty: the schedule that suits the problem.
 };
 
 struct ProverResult {
   Szs status = Szs::kGaveUp;
-  std::string message;  ///< Why it gave up; may be empty.
-  sdk::Statistics statistics;
+  std::string strategy;        ///< The one that ended the attempt.
+  std::string message;         ///< Why it gave up; may be empty.
+  sdk::Statistics statistics;  ///< Of all strategies together; depth: of the last.
   std::size_t clauses = 0;
   std::vector<std::string> proof;  ///< Annotated formulas, the last one derives $false.
   bool uses_conjecture = true;  ///< Whether the proof that was written down needs the conjecture.
@@ -44,8 +51,8 @@ struct ProverResult {
 };
 
 /// Tries to prove the conjectures among the formulas, or else that the formulas contradict each
-/// other. `file` is named in the proof. Satisfiability is claimed only when the search space was
-/// exhausted and no built-in theory is involved.
+/// other. `file` is named in the proof. Satisfiability is claimed only when a complete strategy
+/// exhausted its search space and no built-in theory is involved.
 ProverResult Prove(const std::vector<logic::AnnotatedFormula>& formulas,
                    logic::SymbolTable& symbols, std::string_view file,
                    const ProverOptions& options);

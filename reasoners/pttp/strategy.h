@@ -3,6 +3,7 @@
 #define LATCHWORK_PTTP_STRATEGY_H_
 
 #include <cstdint>
+#include <limits>
 
 namespace latchwork::pttp {
 
@@ -24,8 +25,8 @@ struct Strategy {
   Start start = Start::kNegative;
   BodyOrder order = BodyOrder::kWritten;
   bool lemmata = true;
-  std::uint32_t first_depth = 1;
-  std::uint32_t depth_step = 1;
+  std::uint32_t deepest = std::numeric_limits<std::uint32_t>::max();
+  std::uint64_t inferences = std::numeric_limits<std::uint64_t>::max();
 };
 
 }  // namespace latchwork::pttp

@@ -51,7 +51,7 @@ class CellWriter {
   };
 
   Cell WriteAtomic(const Term& term) {
-    if (term.is_variable()) return (term.variable() + 1) << 2U;
+    if (term.is_variable()) return CellOfSlot(term.variable());
     return (Functor(term, 0) << 2U) | kConstantTag;
   }
 

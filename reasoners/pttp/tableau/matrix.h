@@ -23,6 +23,7 @@ inline constexpr Cell kOpenTag = 2;      ///< Offset of a functor, its arity and
 inline constexpr Cell kGroundTag = 3;  ///< The same without variables; equal ones share an offset.
 
 inline Cell TagOfCell(Cell cell) { return cell & 3U; }
+inline Cell CellOfSlot(std::uint32_t slot) { return (slot + 1) << 2U; }
 inline std::uint32_t SlotOfCell(Cell cell) { return (cell >> 2U) - 1; }
 inline std::uint32_t OffsetOfCell(Cell cell) { return cell >> 2U; }
 

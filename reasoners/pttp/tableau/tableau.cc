@@ -21,7 +21,7 @@ Tableau::Tableau(Matrix& matrix, const Strategy& strategy, std::size_t memory_by
       bindings_(matrix) {}
 
 TableauEnd Tableau::Search() {
-  for (depth_ = strategy_.first_depth;; depth_ += strategy_.depth_step) {
+  for (depth_ = 1; depth_ <= strategy_.deepest; ++depth_) {
     cut_off_ = false;
     for (const std::uint32_t start : matrix_.starts()) {
       const TableauEnd end = Run(start);
@@ -30,6 +30,7 @@ TableauEnd Tableau::Search() {
     if (cut_off_) continue;
     return pruned_ || !matrix_.starts_are_complete() ? TableauEnd::kGaveUp : TableauEnd::kSaturated;
   }
+  return TableauEnd::kGaveUp;
 }
 
 void Tableau::Begin(std::uint32_t start) {
@@ -51,6 +52,7 @@ TableauEnd Tableau::Run(std::uint32_t start) {
   Begin(start);
   bool forward = true;
   for (;;) {
+    if (inferences_ >= strategy_.inferences) return TableauEnd::kStopped;
     if (++polls_ % kPollPeriod == 0) {
       if (stop_()) return TableauEnd::kStopped;
       if (bytes() > memory_bytes_) return TableauEnd::kMemory;
@@ -323,23 +325,29 @@ logic::Term Tableau::Export(Instance term, std::vector<std::uint32_t>& variables
   }
 }
 
+ClauseInstance Tableau::InstanceOf(const Step& step, std::vector<std::uint32_t>& variables) const {
+  const Entry& entry = matrix_.entry(step.entry);
+  ClauseInstance instance{entry.clause, {}, {}};
+  for (const std::uint32_t index : matrix_.ClauseLiterals(entry.clause)) {
+    const MatrixLiteral& literal = matrix_.literal(index);
+    std::vector<logic::Term> arguments;
+    for (std::uint32_t i = 0; i < literal.arity; ++i) {
+      arguments.push_back(Export({matrix_.cells()[literal.arguments + i], step.base}, variables));
+    }
+    instance.literals.push_back(
+        {(literal.key & 1U) != 0, logic::Atom(matrix_.predicate(literal.key), arguments)});
+  }
+  for (std::uint32_t slot = 0; slot < entry.slots; ++slot) {
+    instance.values.push_back(Export({CellOfSlot(slot), step.base}, variables));
+  }
+  return instance;
+}
+
 std::vector<ClauseInstance> Tableau::Refutation() const {
   std::vector<ClauseInstance> result;
   std::vector<std::uint32_t> variables;
   for (std::size_t i = 0; i < steps_.size(); ++i) {
-    const Entry& entry = matrix_.entry(steps_[i].entry);
-    ClauseInstance instance{entry.clause, {}};
-    for (const std::uint32_t index : matrix_.ClauseLiterals(entry.clause)) {
-      const MatrixLiteral& literal = matrix_.literal(index);
-      std::vector<logic::Term> arguments;
-      for (std::uint32_t a = 0; a < literal.arity; ++a) {
-        arguments.push_back(
-            Export({matrix_.cells()[literal.arguments + a], steps_[i].base}, variables));
-      }
-      instance.literals.push_back(
-          {(literal.key & 1U) != 0, logic::Atom(matrix_.predicate(literal.key), arguments)});
-    }
-    result.push_back(std::move(instance));
+    result.push_back(InstanceOf(steps_[i], variables));
   }
   return result;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "latchwork/logic/clause.h"
+#include "reasoners/pttp/clause_instance.h"
 #include "reasoners/pttp/strategy.h"
 #include "reasoners/pttp/tableau/bindings.h"
 #include "reasoners/pttp/tableau/grow_stack.h"
@@ -22,12 +23,6 @@ enum class TableauEnd : std::uint8_t {
   kGaveUp,     ///< The search space was exhausted, but the strategy leaves refutations out.
   kStopped,    ///< The caller had it stopped.
   kMemory,     ///< It would have needed more memory than it may use.
-};
-
-/// One more or less instantiated input clause of a refutation.
-struct ClauseInstance {
-  std::uint32_t clause = 0;  ///< Index among the clauses of the matrix.
-  std::vector<logic::Literal> literals;
 };
 
 /// The connection tableau calculus (Letz and Stenz, "Model elimination and connection tableau
@@ -46,8 +41,8 @@ class Tableau {
   /// Extension and reduction steps that succeeded.
   std::uint64_t inferences() const { return inferences_; }
   std::uint32_t depth() const { return depth_; }
-  /// After kClosed: the clause instances of the refutation; their literals as atoms are together
-  /// contradictory by propositional logic alone. Variables are numbered across all instances.
+  /// After kClosed: the clause instances of the refutation, contradictory by propositional logic
+  /// alone.
   std::vector<ClauseInstance> Refutation() const;
 
  private:
@@ -122,6 +117,7 @@ class Tableau {
                             bool free_only) const;
   void Rewind(const Choice& choice);
   std::size_t bytes() const;
+  ClauseInstance InstanceOf(const Step& step, std::vector<std::uint32_t>& variables) const;
   logic::Term Export(Instance term, std::vector<std::uint32_t>& variables) const;
 
   Matrix& matrix_;

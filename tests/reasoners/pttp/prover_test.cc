@@ -104,8 +104,12 @@ TEST(ProverTest, ContradictoryAxiomsProveAnything) {
 }
 
 TEST(ProverTest, NumbersAreNeverCalledSatisfiable) {
-  EXPECT_EQ(Try("fof(a, axiom, 1 = 2).").status, Szs::kGaveUp);
-  EXPECT_EQ(Try("fof(a, axiom, \"x\" = \"y\").").status, Szs::kGaveUp);
+  EXPECT_EQ(Try("fof(a, axiom, 1 = c).").status, Szs::kGaveUp);
+  EXPECT_EQ(Try("fof(a, axiom, \"x\" = c).").status, Szs::kGaveUp);
+}
+
+TEST(ProverTest, DistinctObjectsAreUnequal) {
+  EXPECT_EQ(Try("fof(a, axiom, \"x\" = \"y\").").status, Szs::kUnsatisfiable);
 }
 
 TEST(ProverTest, EndlessSearchRunsOutOfInferences) {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_PTTP_PROVER_PROBLEM_H_
+#define LATCHWORK_PTTP_PROVER_PROBLEM_H_
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "latchwork/logic/clause.h"
+#include "latchwork/logic/clause_origins.h"
+#include "latchwork/logic/formula.h"
+#include "latchwork/logic/symbol.h"
+
+namespace latchwork::pttp {
+
+/// A problem as every strategy finds it.
+struct ProverProblem {
+  ProverProblem(const std::vector<logic::AnnotatedFormula>& formulas, logic::SymbolTable& symbols,
+                bool with_origins);
+
+  /// The clauses of the formulas, without the axioms of equality that follow them.
+  std::span<const logic::Clause> input() const { return {clauses.data(), input_size}; }
+
+  std::vector<logic::Clause> clauses;
+  std::size_t input_size = 0;
+  logic::ClauseOrigins origins;
+  bool has_conjecture = false;
+  bool mentions_equality = false;
+  bool has_equality = false;  ///< Some clause concludes an equation.
+  bool is_horn = false;
+  bool has_arithmetic = false;     ///< An interpreted function or predicate, a number.
+  bool has_fixed_meaning = false;  ///< That, or a distinct object: a model must respect it.
+};
+
+}  // namespace latchwork::pttp
+
+#endif  // LATCHWORK_PTTP_PROVER_PROBLEM_H_
