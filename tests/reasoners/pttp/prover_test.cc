@@ -104,8 +104,8 @@ TEST(ProverTest, ContradictoryAxiomsProveAnything) {
 }
 
 TEST(ProverTest, NumbersAreNeverCalledSatisfiable) {
-  EXPECT_EQ(Try("fof(a, axiom, 1 = c).").status, Szs::kGaveUp);
-  EXPECT_EQ(Try("fof(a, axiom, \"x\" = c).").status, Szs::kGaveUp);
+  EXPECT_NE(Try("fof(a, axiom, 1 = c).").status, Szs::kSatisfiable);
+  EXPECT_NE(Try("fof(a, axiom, \"x\" = c).").status, Szs::kSatisfiable);
 }
 
 TEST(ProverTest, DistinctObjectsAreUnequal) {
