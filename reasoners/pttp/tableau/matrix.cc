@@ -237,9 +237,9 @@ void Matrix::FindConnections(std::uint32_t literal) {
   const auto bound = std::stable_partition(found.begin(), found.end(), [&](const Connection& way) {
     return entries_[way.entry].size == 0 || entries_[way.entry].ground;
   });
-  found.reserve(1);
-  connections_[literal] = {found.data(), static_cast<std::uint32_t>(found.size()),
-                           static_cast<std::uint32_t>(bound - found.begin())};
+  const auto free = static_cast<std::uint32_t>(bound - found.begin());
+  found.reserve(1);  // So that there is an address, which says that it was looked for.
+  connections_[literal] = {found.data(), static_cast<std::uint32_t>(found.size()), free};
 }
 
 void Matrix::ChooseStarts(std::span<const Clause> clauses, const Strategy& strategy) {
