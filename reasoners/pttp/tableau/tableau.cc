@@ -44,7 +44,7 @@ void Tableau::Begin(std::uint32_t start) {
   const std::uint32_t base = bindings_.Allocate(entry.slots);
   steps_.Push({start, base});
   frames_.Push(
-      {{kNone, 0, 0, 0}, {kNone, 0, kNone}, entry.body, entry.size, base, depth_, 0, 0, 0, 0});
+      {{kNone, 0, 0, 0}, {kNone, 0, kNone}, entry.body, entry.size, base, depth_, 0, 0, 0, 0, 0});
   place_ = {0, 0, kNone};
 }
 
@@ -91,7 +91,8 @@ void Tableau::Leave() {
   }
   place_ = frame.next;
   if (strategy_.lemmata) {
-    lemmata_.Push({frame.goal, place_.lemma});
+    const std::uint64_t older = place_.lemma == kNone ? 0 : lemmata_[place_.lemma].marks;
+    lemmata_.Push({frame.goal, place_.lemma, older | MarkOf(frame.goal.key)});
     place_.lemma = static_cast<std::uint32_t>(lemmata_.size() - 1);
   }
 }
@@ -114,6 +115,7 @@ inline bool Tableau::SameGoals(const Goal& a, const Goal& b) {
 /// ancestor that the goal may be reduced with.
 bool Tableau::LooksUp(const Goal& goal, std::uint32_t& complement) {
   complement = kNone;
+  if ((frames_[place_.frame].marks & MarkOf(goal.key / 2)) == 0) return true;
   for (std::uint32_t i = place_.frame; i != kNone; i = frames_[i].next.frame) {
     const Goal& ancestor = frames_[i].goal;
     if ((ancestor.key ^ goal.key) > 1) continue;
@@ -127,6 +129,9 @@ bool Tableau::LooksUp(const Goal& goal, std::uint32_t& complement) {
 }
 
 bool Tableau::IsLemma(const Goal& goal) {
+  if (place_.lemma == kNone || (lemmata_[place_.lemma].marks & MarkOf(goal.key)) == 0) {
+    return false;
+  }
   for (std::uint32_t i = place_.lemma; i != kNone; i = lemmata_[i].next) {
     if (lemmata_[i].goal.key == goal.key && SameGoals(goal, lemmata_[i].goal)) return true;
   }
@@ -280,7 +285,8 @@ void Tableau::Open(const Goal& goal, const Entry& entry, std::uint32_t base, con
                 height,
                 static_cast<std::uint32_t>(choices_.size()),
                 choice.trail,
-                choice.variables});
+                choice.variables,
+                frames_[place_.frame].marks | MarkOf(goal.key / 2)});
   place_ = {static_cast<std::uint32_t>(frames_.size() - 1), 0, place_.lemma};
 }
 

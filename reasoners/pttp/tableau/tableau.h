@@ -47,6 +47,8 @@ class Tableau {
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffU;
+  /// A bit by which most walks along a branch or through lemmata are found to be needless.
+  static std::uint64_t MarkOf(std::uint32_t number) { return std::uint64_t{1} << (number & 63U); }
   /// Where the search goes on: at the next open literal of a clause copy.
   struct Place {
     std::uint32_t frame;
@@ -73,6 +75,7 @@ class Tableau {
     std::uint32_t kept;    ///< Choices that an exclusive cut keeps.
     std::uint32_t trail;   ///< As it was when the goal was called.
     std::uint32_t fresh;   ///< Variables from here on are younger than the goal.
+    std::uint64_t marks;   ///< Of the predicates of the goal and its ancestors.
   };
   using Keys = std::array<std::uint32_t, Connection::kKeys>;
   struct Choice {
@@ -89,6 +92,7 @@ class Tableau {
   struct Lemma {
     Goal goal;
     std::uint32_t next;
+    std::uint64_t marks;  ///< Of the signed predicates of this and all older ones.
   };
   struct Step {
     std::uint32_t entry;
