@@ -36,6 +36,7 @@ struct ProveSettings {
   std::uint64_t inferences = std::numeric_limits<std::uint64_t>::max();
   std::uint32_t depth = 1'000'000;
   std::string strategy;
+  bool saturation = true;
   bool proof = false;
   bool answers = false;
   bool statistics = false;
@@ -76,6 +77,7 @@ Outcome Attempt(const ProveSettings& settings, const logic::TptpFile& input,
   options.cpu_seconds = settings.seconds;
   if (settings.memory_mb != 0) options.memory_bytes = settings.memory_mb << 20U;
   options.strategy = settings.strategy;
+  options.saturation = settings.saturation;
   options.answers = settings.answers || input.asks;
   options.proof = settings.proof || settings.answers || input.asks;
   Outcome outcome;
@@ -193,6 +195,8 @@ void AddProve(CLI::App& app, Context& context) {
   AddLimits(*command, *settings);
   command->add_option("--strategy", settings->strategy, StrategyHelp())
       ->check(CLI::IsMember(StrategyNames()));
+  command->add_flag("!--no-saturation", settings->saturation,
+                    "Schedule connection tableaux only, no superposition");
   command->add_flag("--proof,!--no-proof", settings->proof, "Print the proof in TSTP syntax");
   command->add_flag("--answers", settings->answers,
                     "Print the values of the conjecture's variables; always done for a question");

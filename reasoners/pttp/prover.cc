@@ -225,7 +225,7 @@ std::vector<Slice> SlicesFor(const ProverProblem& problem, const ProverOptions& 
   } else {
     slices = ScheduleFor(problem);
   }
-  if (options.answers && slices.size() > 1) {
+  if ((options.answers || !options.saturation) && slices.size() > 1) {
     std::erase_if(slices, [](const Slice& slice) {
       return slice.strategy->method == NamedStrategy::Method::kSaturation;
     });

@@ -34,7 +34,8 @@ struct ProverOptions {
   bool proof = false;  ///< Write the proof down.
   bool answers =
       false;  ///< Only strategies that can tell the values of the conjecture's variables.
-  std::string strategy;  ///< One of Strategies(); empty: the schedule that suits the problem.
+  bool saturation = true;  ///< False: the schedule has only connection tableaux.
+  std::string strategy;    ///< One of Strategies(); empty: the schedule that suits the problem.
 };
 
 struct ProverResult {

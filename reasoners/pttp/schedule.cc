@@ -33,7 +33,23 @@ constexpr std::array kStrategies{
     NamedStrategy{.name = "saturate",
                   .method = Method::kSaturation,
                   .complete = true,
-                  .help = "superposition"},
+                  .help = "superposition from all clauses"},
+    NamedStrategy{.name = "saturate-goal",
+                  .method = Method::kSaturation,
+                  .saturation = {.selection = saturation::Selection::kLargest,
+                                 .precedence = saturation::Precedence::kArity,
+                                 .size_picks = 0,
+                                 .goal_picks = 5,
+                                 .age_picks = 1,
+                                 .goal_first = true},
+                  .complete = true,
+                  .help = "the same, what descends from the conjecture first"},
+    NamedStrategy{.name = "saturate-relevant",
+                  .method = Method::kSaturation,
+                  .saturation = {.selection = saturation::Selection::kMaximal,
+                                 .relevance_depth = 2,
+                                 .relevance_tolerance = 2},
+                  .help = "the same with only the axioms that share symbols with the conjecture"},
     NamedStrategy{.name = "engine",
                   .method = Method::kEngine,
                   .complete = true,
@@ -57,23 +73,28 @@ const NamedStrategy* FindStrategy(std::string_view name) {
 }
 
 std::vector<Slice> ScheduleFor(const ProverProblem& problem) {
+  constexpr std::size_t kManyClauses = 400;
   if (problem.has_arithmetic) return Slices({{"engine", 1}});
-  if (problem.has_equality) {
-    return Slices({{"complete", 0.03},
-                   {"cut", 0.07},
-                   {"saturate", 0.5},
-                   {"goal", 0.1},
-                   {"cut-all", 0.1},
-                   {"cut-positive", 0.1},
-                   {"fewest", 0.1}});
+  std::vector<Slice> slices = problem.has_equality ? Slices({{"complete", 0.02},
+                                                             {"cut", 0.05},
+                                                             {"saturate", 0.45},
+                                                             {"saturate-goal", 0.15},
+                                                             {"goal", 0.08},
+                                                             {"cut-all", 0.08},
+                                                             {"cut-positive", 0.08},
+                                                             {"fewest", 0.05}})
+                                                   : Slices({{"goal", 0.08},
+                                                             {"cut", 0.08},
+                                                             {"saturate", 0.35},
+                                                             {"saturate-goal", 0.1},
+                                                             {"complete", 0.15},
+                                                             {"cut-positive", 0.08},
+                                                             {"cut-all", 0.05},
+                                                             {"fewest", 0.1}});
+  if (problem.input_size >= kManyClauses) {
+    slices.insert(slices.begin() + 2, {FindStrategy("saturate-relevant"), 0.1});
   }
-  return Slices({{"goal", 0.1},
-                 {"cut", 0.1},
-                 {"saturate", 0.3},
-                 {"complete", 0.2},
-                 {"cut-positive", 0.1},
-                 {"cut-all", 0.05},
-                 {"fewest", 0.15}});
+  return slices;
 }
 
 }  // namespace latchwork::pttp
