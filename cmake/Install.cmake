@@ -11,6 +11,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/LatchworkConfigVersion.cm
 
 install(TARGETS latchwork latchwork_sdk EXPORT LatchworkTargets
         LIBRARY DESTINATION lib COMPONENT runtime)
+install(TARGETS latchwork_xml LIBRARY DESTINATION lib COMPONENT runtime)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/include/ DESTINATION include COMPONENT sdk)
 install(EXPORT LatchworkTargets NAMESPACE Latchwork:: DESTINATION ${package_dir} COMPONENT sdk)
 install(FILES ${PROJECT_BINARY_DIR}/LatchworkConfig.cmake

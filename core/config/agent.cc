@@ -49,7 +49,8 @@ AgentFile ReadAgentFile(const std::filesystem::path& file, const Catalog& catalo
   check.agent.fingerprint = document.fingerprint;
   if (document.is_agent) CheckAgent(check, document, overrides);
   Arrange(document.sources, check.diagnostics);
-  AgentFile result{std::nullopt, std::move(check.diagnostics), check.plugin_failure};
+  AgentFile result{std::nullopt, std::move(check.diagnostics),
+                   check.plugin_failure || !document.has_reader};
   if (result.diagnostics.empty()) result.agent = std::move(check.agent);
   return result;
 }

@@ -55,6 +55,7 @@ class DocumentReader {
     AddToFingerprint(xml.bytes);
     document_.sources.push_back({file.string(), std::move(xml.bytes)});
     document_.is_whole = document_.is_whole && xml.complete;
+    document_.has_reader = document_.has_reader && xml.has_reader;
     if (CheckFormat(xml) && CheckRoot(xml, root)) {
       const std::size_t index = entered_.size();
       entered_.push_back({Canonical(file), included_at, true});

@@ -25,7 +25,8 @@ struct Document {
   std::vector<Source> sources;    ///< In the order of reading.
   std::string fingerprint;
   logic::Diagnostics diagnostics;
-  bool is_agent = false;  ///< There is an <agent> to check.
+  bool has_reader = true;  ///< See XmlFile.
+  bool is_agent = false;   ///< There is an <agent> to check.
   bool is_whole =
       true;  ///< Nothing is missing or unknown in it, so that what is not there was not written.
 };

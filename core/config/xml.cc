@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The only file that knows Xerces.
-#include "latchwork/config/xml.h"
-
 #include <fmt/format.h>
 
 #include <memory>
@@ -21,6 +19,7 @@
 #include "core/config/read_bytes.h"
 #include "core/config/schema_index.h"
 #include "core/config/start_tags.h"
+#include "core/config/xml_module.h"
 #include "latchwork/config/agent.h"
 
 namespace latchwork::config {
@@ -267,13 +266,12 @@ std::shared_ptr<const Grammar> MakeGrammar(std::string_view schema) {
   return grammar;
 }
 
-XmlFile ReadChecked(std::string bytes, std::string_view name, std::string_view schema) {
-  XmlFile file;
-  file.bytes = std::move(bytes);
-  if (auto wrong = CheckText(file.bytes, name, kMaxXmlBytes)) {
-    file.diagnostics.push_back(*std::move(wrong));
-    return file;
-  }
+}  // namespace
+}  // namespace latchwork::config
+
+extern "C" void latchwork_parse_xml(latchwork::config::XmlFile& file, std::string_view name,
+                                    std::string_view schema) {
+  using namespace latchwork::config;
   std::string_view text = file.bytes;
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const auto grammar = MakeGrammar(schema);
@@ -284,20 +282,4 @@ XmlFile ReadChecked(std::string bytes, std::string_view name, std::string_view s
     file.diagnostics = Explain(file.root, grammar->index(), builder.complaints);
   }
   for (auto& diagnostic : builder.diagnostics) file.diagnostics.push_back(std::move(diagnostic));
-  return file;
 }
-
-}  // namespace
-
-XmlFile ReadXml(const std::filesystem::path& file, std::string_view schema) {
-  XmlFile result;
-  auto bytes = ReadBytes(file, kMaxXmlBytes, result.diagnostics);
-  if (!bytes) return result;
-  return ReadChecked(*std::move(bytes), file.string(), schema);
-}
-
-XmlFile ReadXmlText(std::string_view text, std::string_view name, std::string_view schema) {
-  return ReadChecked(std::string(text), name, schema);
-}
-
-}  // namespace latchwork::config

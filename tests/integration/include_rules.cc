@@ -55,7 +55,7 @@ constexpr std::array<Confinement, 13> kConfinements = {{
     {"ompl/", "reasoners/ompl/"},
     {"xercesc/", "core/config/"},
     {"boost/", "core/plugin/"},
-    {"dlfcn.h", "core/plugin/"},
+    {"dlfcn.h", "core/config/ core/plugin/"},
     {"CLI/", "apps/"},
     {"fmt/",
      "core/sdk/ core/config/ core/plugin/ core/schedule/ core/record/ reasoners/ plugins/ worlds/ "

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs latchwork, builds a plugin against what was installed, and has the installed command
-# load it. Run with -D BINARY_DIR, SOURCE_DIR (of the plugin), WORK_DIR, COMPILER, FLAGS.
+# load it. Run with -D BINARY_DIR, SOURCE_DIR (of the plugin), AGENT (a file), WORK_DIR, COMPILER, FLAGS.
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -28,6 +28,7 @@ foreach(file IN ITEMS corridor.so corridor/corridor.p)
   endif()
 endforeach()
 
+run(${prefix}/bin/latchwork check ${AGENT})
 run(${prefix}/bin/latchwork plugin show corridor)
 if(NOT output MATCHES "keeps its distance from the walls")
   message(FATAL_ERROR "the plugin does not introduce itself:\n${output}")

@@ -132,8 +132,8 @@ struct Override {
 struct AgentFile {
   std::optional<AgentDescription> agent;  ///< Only when `diagnostics` is empty.
   logic::Diagnostics diagnostics;
-  bool plugin_failure = false;  ///< Some plugin exists but cannot be loaded, or there is none of
-                                ///< its name (exit code 4).
+  bool plugin_failure = false;  ///< Some plugin, or the reader of XML files, cannot be loaded, or
+                                ///< there is no plugin of its name (exit code 4).
 };
 
 /// Reads, validates and checks an agent file. All errors at once. `fragments` are files that come

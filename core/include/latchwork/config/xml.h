@@ -34,8 +34,9 @@ struct Element {
 struct XmlFile {
   Element root;
   logic::Diagnostics diagnostics;
-  std::string bytes;      ///< The text of the file, for fingerprints and excerpts.
-  bool complete = false;  ///< `root` is the whole file: it could be read to its end.
+  std::string bytes;       ///< The text of the file, for fingerprints and excerpts.
+  bool complete = false;   ///< `root` is the whole file: it could be read to its end.
+  bool has_reader = true;  ///< False: the installation lacks what reads XML, and no file is wrong.
 };
 
 /// What the text in one file may not exceed.
