@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs latchwork, builds a plugin against what was installed, and has the installed command
-# load it. Run with -D BINARY_DIR, SOURCE_DIR (of the plugin), AGENT (a file), WORK_DIR, COMPILER, FLAGS.
+# load it. Run with -D BINARY_DIR, SOURCE_DIR (of the plugin), AGENT (a file to check), WORK_DIR,
+# COMPILER, FLAGS.
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
