@@ -20,6 +20,7 @@
 #include "apps/latchwork/command.h"
 #include "apps/latchwork/prove_limits.h"
 #include "apps/latchwork/tptp_input.h"
+#include "reasoners/pttp/failure_explanation.h"
 #include "reasoners/pttp/prover.h"
 #include "reasoners/pttp/schedule.h"
 
@@ -41,6 +42,7 @@ struct ProveSettings {
   bool answers = false;
   bool statistics = false;
   bool json = false;
+  bool why = false;
 };
 
 /// What an attempt came to.
@@ -67,8 +69,7 @@ int RefuseInput(const ProveSettings& settings, const logic::TptpFile& input, Pro
   return kInvalidInput;
 }
 
-Outcome Attempt(const ProveSettings& settings, const logic::TptpFile& input,
-                logic::SymbolTable& symbols) {
+pttp::ProverOptions OptionsFor(const ProveSettings& settings, const logic::TptpFile& input) {
   pttp::ProverOptions options;
   options.budget.inferences = settings.inferences;
   options.budget.depth = settings.depth;
@@ -79,7 +80,13 @@ Outcome Attempt(const ProveSettings& settings, const logic::TptpFile& input,
   options.strategy = settings.strategy;
   options.saturation = settings.saturation;
   options.answers = settings.answers || input.asks;
-  options.proof = settings.proof || settings.answers || input.asks;
+  options.explain = settings.why;
+  options.proof = settings.proof || settings.answers || input.asks || settings.why;
+  return options;
+}
+
+Outcome Attempt(const ProveSettings& settings, const logic::TptpFile& input,
+                const pttp::ProverOptions& options, logic::SymbolTable& symbols) {
   Outcome outcome;
   try {
     outcome.result = pttp::Prove(input.formulas, symbols, settings.input.file, options);
@@ -123,6 +130,9 @@ void PrintText(const ProveSettings& settings, bool answers, const Outcome& outco
     for (const std::string& line : result.proof) fmt::print("{}\n", line);
     fmt::print("% SZS output end Proof for {}\n", file);
   }
+  for (const pttp::ExplanationLine& line : result.explanation) {
+    fmt::print("% {:{}}{}\n", "", 2 * line.depth, line.text);
+  }
   if (settings.statistics) {
     fmt::print("% strategy {}\n% clauses {}\n% inferences {}\n% depth {}\n", result.strategy,
                result.clauses, result.statistics.inferences, result.statistics.depth);
@@ -138,7 +148,24 @@ void PrintJson(const ProveSettings& settings, bool answers, const Outcome& outco
       {"depth", result.statistics.depth}};
   if (answers && outcome.proved) report["answers"] = result.answers;
   if (settings.proof && outcome.proved) report["proof"] = result.proof;
+  if (settings.why) {
+    report["why"] = nlohmann::ordered_json::array();
+    for (const pttp::ExplanationLine& line : result.explanation) {
+      report["why"].push_back({{"depth", line.depth}, {"text", line.text}});
+    }
+  }
   fmt::print("{}\n", report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+/// After the limits have been lifted: it is short, and a search that ran out of time is the one to
+/// be explained.
+void AddFailure(const pttp::ProverOptions& options, logic::SymbolTable& symbols, Outcome& outcome) {
+  if (!options.explain || outcome.proved) return;
+  try {
+    outcome.result.explanation = pttp::ExplainFailure(outcome.result, options, symbols);
+  } catch (const std::bad_alloc&) {
+    outcome.result.explanation = {{0, "There is not enough memory to say why."}};
+  }
 }
 
 int RunProve(const ProveSettings& settings) {
@@ -146,8 +173,10 @@ int RunProve(const ProveSettings& settings) {
   logic::SymbolTable symbols;
   const logic::TptpFile input = Read(settings.input, symbols);
   if (!input.diagnostics.empty()) return RefuseInput(settings, input, limits);
-  const Outcome outcome = Attempt(settings, input, symbols);
+  const pttp::ProverOptions options = OptionsFor(settings, input);
+  Outcome outcome = Attempt(settings, input, options, symbols);
   limits.Release();
+  AddFailure(options, symbols, outcome);
   const bool answers = settings.answers || input.asks;
   settings.json ? PrintJson(settings, answers, outcome) : PrintText(settings, answers, outcome);
   std::fflush(stdout);
@@ -198,6 +227,9 @@ void AddProve(CLI::App& app, Context& context) {
   command->add_flag("!--no-saturation", settings->saturation,
                     "Schedule connection tableaux only, no superposition");
   command->add_flag("--proof,!--no-proof", settings->proof, "Print the proof in TSTP syntax");
+  command->add_flag(
+      "--why", settings->why,
+      "Explain the proof; without one, say what ended the search and what is missing");
   command->add_flag("--answers", settings->answers,
                     "Print the values of the conjecture's variables; always done for a question");
   command->add_flag("--stats", settings->statistics, "Print what the search cost");

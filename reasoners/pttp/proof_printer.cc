@@ -15,6 +15,7 @@ void ProofPrinter::Add(const ClauseInstance& instance) {
   std::string text = ToString(instantiated);
   if (known_instances_.insert(text).second) {
     instances_.emplace_back(std::move(text), tstp_.Input(clause));
+    premises.push_back({instance, {}});
   }
   if (clause.role == logic::Role::kNegatedConjecture) AddAnswer(instance);
 }
@@ -22,6 +23,7 @@ void ProofPrinter::Add(const ClauseInstance& instance) {
 void ProofPrinter::AddTheoryFact(const logic::Literal& literal, std::string_view theory) {
   const std::string text = ToString(literal);
   if (!known_instances_.insert(text).second) return;
+  premises.push_back({{0, {literal}, {}}, theory});
   facts_.push_back(theory == "equality" ? tstp_.Tautology(text) : tstp_.TheoryFact(text, theory));
 }
 
@@ -46,11 +48,11 @@ void ProofPrinter::AddAnswer(const ClauseInstance& instance) {
 
 void ProofPrinter::Finish() {
   // After all that brings in new symbols, as an instance may hold any of them.
-  std::vector<std::string> premises = std::move(facts_);
+  std::vector<std::string> parents = std::move(facts_);
   for (const auto& [literals, clause] : instances_) {
-    premises.push_back(tstp_.Derived("instance", literals, "instantiate", {&clause, 1}));
+    parents.push_back(tstp_.Derived("instance", literals, "instantiate", {&clause, 1}));
   }
-  tstp_.Derived("refutation", "$false", "resolution", premises);
+  tstp_.Derived("refutation", "$false", "resolution", parents);
   lines = tstp_.Take();
 }
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "reasoners/pttp/clause_instance.h"
+#include "reasoners/pttp/proof_premise.h"
 #include "reasoners/pttp/saturation/saturate.h"
 #include "reasoners/pttp/tstp_printer.h"
 
@@ -37,6 +37,7 @@ class ProofPrinter {
 
   std::vector<std::string> lines;
   std::vector<std::vector<std::string>> answers;
+  std::vector<ProofPremise> premises;  ///< Of a tableau: all that was added.
 
  private:
   void AddAnswer(const ClauseInstance& instance);

@@ -137,6 +137,9 @@ class Attempt {
           ProofPrinter printer(problem_.input(), sources_);
           printer.Print(outcome.proof);
           Keep(printer);
+          if (options_.explain) {
+            result.explanation = ExplainProof(problem_.input(), outcome.proof, sources_);
+          }
         }
         return End::kRefuted;
       case saturation::Status::kSaturated:
@@ -189,6 +192,9 @@ class Attempt {
     result.proof = std::move(printer.lines);
     result.answers = std::move(printer.answers);
     result.uses_conjecture = printer.uses_conjecture();
+    if (options_.explain && !printer.premises.empty()) {
+      result.explanation = ExplainProof(printer.clauses(), printer.premises, sources_);
+    }
   }
 
   const ProverProblem& problem_;
@@ -259,7 +265,7 @@ ProverResult Prove(const std::vector<logic::AnnotatedFormula>& formulas,
                    logic::SymbolTable& symbols, std::string_view file,
                    const ProverOptions& options) {
   const double end_seconds = CpuSeconds() + options.cpu_seconds;
-  const ProverProblem problem(formulas, symbols, options.proof);
+  ProverProblem problem(formulas, symbols, options.proof);
   Attempt attempt(problem, symbols, {formulas, problem.origins, file}, options);
   const std::vector<Slice> slices = SlicesFor(problem, options);
   double shares = 0;
@@ -277,6 +283,10 @@ ProverResult Prove(const std::vector<logic::AnnotatedFormula>& formulas,
   ProverResult result = std::move(attempt.result);
   result.status = StatusOf(best, problem, options, result);
   result.clauses = problem.clauses.size();
+  if (options.explain && best != End::kRefuted) {
+    problem.clauses.resize(problem.input_size);
+    result.theory = std::move(problem.clauses);
+  }
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "latchwork/logic/formula.h"
 #include "latchwork/logic/symbol.h"
 #include "latchwork/sdk/decision.h"
+#include "reasoners/pttp/explanation.h"
 
 namespace latchwork::pttp {
 
@@ -31,7 +32,8 @@ struct ProverOptions {
   /// CPU seconds of the process, from now on, that the schedule divides among its strategies.
   double cpu_seconds = 10.0;
   std::size_t memory_bytes = std::size_t{2} << 30U;
-  bool proof = false;  ///< Write the proof down.
+  bool proof = false;    ///< Write the proof down.
+  bool explain = false;  ///< With `proof`: explain it as well, or keep what its lack is told from.
   bool answers =
       false;  ///< Only strategies that can tell the values of the conjecture's variables.
   bool saturation = true;  ///< False: the schedule has only connection tableaux.
@@ -49,6 +51,9 @@ struct ProverResult {
   /// Values of the conjecture's variables, one tuple for each of its instances in the proof: at
   /// least one of them answers.
   std::vector<std::vector<std::string>> answers;
+  Explanation explanation;  ///< Of the proof.
+  /// With `explain`, when there is no proof: the clauses of the formulas.
+  std::vector<logic::Clause> theory;
 };
 
 /// Tries to prove the conjectures among the formulas, or else that the formulas contradict each

@@ -102,6 +102,33 @@ TEST_F(ProveTest, Json_HoldsEverything) {
   EXPECT_THAT(report["proof"].back().get<std::string>(), HasSubstr("$false"));
 }
 
+TEST_F(ProveTest, Why_ExplainsProofAndFailure) {
+  const CommandResult proved = Prove(kTheorem, {"--why"});
+  EXPECT_EQ(proved.exit_code, 0);
+  EXPECT_EQ(proved.out,
+            "% SZS status Theorem for problem.p\n"
+            "% c holds with X = a, since\n"
+            "%   q(a): by a with X = a, since\n"
+            "%     p(a): by b\n"
+            "% Formulas used: a, b, c.\n");
+  const std::string_view failing = "fof(a, axiom, p(b)). fof(c, conjecture, p(d)).";
+  const CommandResult failed = Prove(failing, {"--why"});
+  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_THAT(failed.out, StartsWith("% SZS status CounterSatisfiable for problem.p\n"));
+  EXPECT_THAT(failed.out, HasSubstr("%   no clause concludes p(d): nearest p(b) of a: "));
+  const auto report = nlohmann::json::parse(Prove(failing, {"--why", "--json"}).out);
+  EXPECT_EQ(report["why"][0]["depth"], 0);
+  EXPECT_FALSE(report["why"][0]["text"].get<std::string>().empty());
+}
+
+TEST_F(ProveTest, Why_SaysWhatEndedTheSearch) {
+  const CommandResult result = Prove(kEndless, {"--why", "--strategy", "goal", "--time", "0.2"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("% SZS status Timeout for problem.p\n"));
+  EXPECT_EQ(CountStatusLines(result.out), 1);
+  EXPECT_THAT(result.out, HasSubstr("it had 0.2 s (--time)"));
+}
+
 TEST_F(ProveTest, BadInput_HasAStatusToo) {
   const CommandResult syntax = Prove("fof(a, axiom, p(.");
   EXPECT_EQ(syntax.exit_code, 3);
