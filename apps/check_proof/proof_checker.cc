@@ -31,6 +31,7 @@ Finding Unchecked(std::string reason) { return {StepState::kUnchecked, std::move
 struct Step {
   const AnnotatedFormula* formula = nullptr;
   bool assumes_conjecture = false;  ///< It is a conjecture, or follows from one.
+  bool is_instance = false;         ///< Of a clause, or true by itself.
   std::optional<std::pair<logic::PredicateName, Definition>> definition;
 };
 
@@ -141,6 +142,7 @@ class Checker {
   Finding CheckIntroduced(Step& step, const SourceTerm& source) {
     const std::string kind = source.arguments.empty() ? "" : source.arguments[0].name;
     if (kind == "definition") return CheckDefinition(step);
+    step.is_instance = true;
     if (kind == "theory") return Unchecked("facts of arithmetic are not checked");
     if (kind != "tautology") return Unchecked("'" + kind + "' is not known here");
     return Judge(Entails({}, step.formula->formula, symbols_), "it is no tautology");
@@ -211,6 +213,7 @@ class Checker {
 
   Finding CheckInference(Step& step, const Inference& inference) {
     if (inference.statuses == std::set<std::string>{"cth"}) return CheckNegation(step, inference);
+    step.is_instance = inference.rule == "instantiate";
     step.assumes_conjecture =
         std::any_of(inference.parents.begin(), inference.parents.end(),
                     [](const Step* each) { return each->assumes_conjecture; });
@@ -279,7 +282,9 @@ class Checker {
     if (formula.formula.kind() == Formula::Kind::kFalse) {
       const Verdict verdict = ContradictAsClauses(premises);
       if (verdict == Verdict::kYes) return {};
-      if (verdict == Verdict::kNo && premises.size() > 2) {
+      const bool instances = std::all_of(inference.parents.begin(), inference.parents.end(),
+                                         [](const Step* each) { return each->is_instance; });
+      if (verdict == Verdict::kNo && instances) {
         return Rejected("its parents do not contradict each other by propositional logic");
       }
     }

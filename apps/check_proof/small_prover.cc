@@ -2,12 +2,14 @@
 #include "apps/check_proof/small_prover.h"
 
 #include <algorithm>
-#include <map>
-#include <optional>
+#include <cstdint>
+#include <numeric>
 #include <set>
 #include <utility>
 
 #include "apps/check_proof/normal_form.h"
+#include "apps/check_proof/small_simplifier.h"
+#include "apps/check_proof/small_terms.h"
 
 namespace latchwork::check_proof {
 namespace {
@@ -17,98 +19,11 @@ using logic::Literal;
 using logic::Term;
 using logic::Variable;
 using Literals = std::vector<Literal>;
-using Bindings = std::map<Variable, Term>;
 
 constexpr std::size_t kMostClauses = 4'000;
 constexpr std::size_t kMostUnifications = 3'000'000;
 constexpr std::size_t kLargestClause = 600;
 constexpr std::size_t kDeepestTerm = 400;
-
-bool IsEquation(const Literal& literal) {
-  return literal.atom.predicate().name() == "=" && literal.atom.arity() == 2;
-}
-
-std::size_t Size(const Term& term, std::size_t& depth) {
-  std::size_t size = 1;
-  std::size_t deepest = 0;
-  for (const Term& argument : term.arguments()) {
-    std::size_t below = 0;
-    size += Size(argument, below);
-    deepest = std::max(deepest, below);
-  }
-  depth = deepest + 1;
-  return size;
-}
-
-Term Resolve(Term term, const Bindings& bindings) {
-  while (term.is_variable()) {
-    const auto found = bindings.find(term.variable());
-    if (found == bindings.end()) break;
-    term = found->second;
-  }
-  return term;
-}
-
-Term Apply(const Term& term, const Bindings& bindings) {
-  const Term head = Resolve(term, bindings);
-  if (head.is_variable() || head.is_ground()) return head;
-  std::vector<Term> arguments;
-  for (const Term& argument : head.arguments()) arguments.push_back(Apply(argument, bindings));
-  return Term::Compound(head.symbol(), std::move(arguments));
-}
-
-Atom Apply(const Atom& atom, const Bindings& bindings) {
-  std::vector<Term> arguments;
-  for (const Term& argument : atom.arguments()) arguments.push_back(Apply(argument, bindings));
-  return {atom.predicate(), arguments};
-}
-
-bool Occurs(Variable variable, const Term& term, const Bindings& bindings) {
-  const Term head = Resolve(term, bindings);
-  if (head.is_variable()) return head.variable() == variable;
-  if (head.is_ground()) return false;
-  const auto arguments = head.arguments();
-  return std::any_of(arguments.begin(), arguments.end(),
-                     [&](const Term& argument) { return Occurs(variable, argument, bindings); });
-}
-
-bool Unify(const Term& left, const Term& right, Bindings& bindings) {
-  const Term a = Resolve(left, bindings);
-  const Term b = Resolve(right, bindings);
-  if (a == b) return true;
-  if (a.is_variable() || b.is_variable()) {
-    const Term& variable = a.is_variable() ? a : b;
-    const Term& value = a.is_variable() ? b : a;
-    if (Occurs(variable.variable(), value, bindings)) return false;
-    bindings.emplace(variable.variable(), value);
-    return true;
-  }
-  const auto arguments = a.arguments();
-  const auto others = b.arguments();
-  if (a.kind() != Term::Kind::kCompound || b.kind() != Term::Kind::kCompound ||
-      a.symbol() != b.symbol() || arguments.size() != others.size()) {
-    return false;
-  }
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (!Unify(arguments[i], others[i], bindings)) return false;
-  }
-  return true;
-}
-
-bool Unify(const Atom& a, const Atom& b, Bindings& bindings) {
-  if (NameOf(a) != NameOf(b)) return false;
-  for (std::size_t i = 0; i < a.arity(); ++i) {
-    if (!Unify(a.argument(i), b.argument(i), bindings)) return false;
-  }
-  return true;
-}
-
-bool Contains(const Term& term, const Term& part) {
-  const auto arguments = term.arguments();
-  return term == part || std::any_of(arguments.begin(), arguments.end(), [&](const Term& argument) {
-           return Contains(argument, part);
-         });
-}
 
 /// A term with one subterm replaced, for every subterm that is no variable and unifies with
 /// `from`; `to` takes its place.
@@ -149,8 +64,45 @@ class Rewriter {
   const Term& to_;
 };
 
+/// Forward from positive clauses, or with every literal of every clause.
+enum class Manner : std::uint8_t { kForward, kAnyLiteral };
+
+/// The literals that take part in inferences: all, or of a clause with negative ones the largest of
+/// these, else those that no other exceeds.
+std::vector<std::size_t> Eligible(const Literals& clause, Manner manner) {
+  std::vector<std::size_t> eligible;
+  if (manner == Manner::kAnyLiteral) {
+    eligible.resize(clause.size());
+    std::iota(eligible.begin(), eligible.end(), std::size_t{0});
+    return eligible;
+  }
+  std::size_t largest = 0;
+  for (std::size_t i = 0; i < clause.size(); ++i) {
+    if (clause[i].positive) continue;
+    std::size_t size = 1;
+    std::size_t depth = 0;
+    for (const Term& argument : clause[i].atom.arguments()) size += Size(argument, depth);
+    if (size > largest) eligible.assign(1, i);
+    largest = std::max(largest, size);
+  }
+  if (!eligible.empty()) return eligible;
+  for (std::size_t i = 0; i < clause.size(); ++i) {
+    const bool exceeded = std::any_of(clause.begin(), clause.end(), [&](const Literal& other) {
+      return !IsEquation(other) && !IsEquation(clause[i]) && IsGreater(other.atom, clause[i].atom);
+    });
+    if (!exceeded) eligible.push_back(i);
+  }
+  return eligible;
+}
+
+bool IsPositive(const Literals& clause) {
+  return std::all_of(clause.begin(), clause.end(), [](const auto& each) { return each.positive; });
+}
+
 class Saturation {
  public:
+  explicit Saturation(Manner manner) : manner_(manner) {}
+
   Verdict Run(const std::vector<Literals>& clauses) {
     for (const Literals& clause : clauses) Keep(clause);
     while (!waiting_.empty()) {
@@ -159,7 +111,7 @@ class Saturation {
       const auto next = waiting_.begin();
       given_ = next->second;
       waiting_.erase(next);
-      Activate();
+      if (IsNew()) Activate();
     }
     return refuted_ ? Verdict::kYes : spent_ ? Verdict::kTooHard : Verdict::kNo;
   }
@@ -168,8 +120,10 @@ class Saturation {
   /// With sizes, so that the smallest clause is taken next.
   using Queue = std::set<std::pair<std::size_t, Literals>>;
 
-  /// Keeps a clause with its variables numbered anew, unless it is known or a tautology.
+  /// Keeps a clause, simplified and with its variables numbered anew, unless it is known or a
+  /// tautology.
   void Keep(Literals clause) {
+    simplifier_.Simplify(clause);
     std::size_t size = 0;
     for (const Literal& literal : clause) {
       for (const Term& argument : literal.atom.arguments()) {
@@ -180,13 +134,42 @@ class Saturation {
     }
     if (size > kLargestClause || ++kept_ > kMostClauses) spent_ = true;
     if (spent_) return;
-    std::erase_if(clause, [](const Literal& each) {
-      return !each.positive && IsEquation(each) && each.atom.argument(0) == each.atom.argument(1);
-    });
     clause = Renumber(std::move(clause));
     if (clause.empty()) refuted_ = true;
     if (IsTautology(clause) || !known_.insert(clause).second) return;
     waiting_.insert({size + 3 * clause.size(), std::move(clause)});
+  }
+
+  /// Whether the clause at hand says more than the active ones. A simpler one is kept in its stead.
+  bool IsNew() {
+    Literals simpler = given_;
+    if (simplifier_.Simplify(simpler)) {
+      Keep(std::move(simpler));
+      return false;
+    }
+    return std::none_of(active_.begin(), active_.end(),
+                        [&](const Literals& each) { return Subsumes(each, given_); });
+  }
+
+  /// Takes away what the new clause makes superfluous, and simplifies what it can.
+  void CleanActive() {
+    const bool is_unit = given_.size() == 1;
+    if (is_unit) simplifier_.AddUnit(given_[0]);
+    std::vector<Literals> simpler;
+    std::erase_if(active_, [&](const Literals& each) {
+      bool superfluous = Subsumes(given_, each);
+      if (!superfluous && is_unit) {
+        if (each.size() == 1) simplifier_.RemoveUnit(each[0]);
+        Literals changed = each;
+        superfluous = simplifier_.Simplify(changed);
+        if (superfluous) simpler.push_back(std::move(changed));
+        if (each.size() == 1 && !superfluous) simplifier_.AddUnit(each[0]);
+      } else if (superfluous && each.size() == 1) {
+        simplifier_.RemoveUnit(each[0]);
+      }
+      return superfluous;
+    });
+    for (Literals& each : simpler) Keep(std::move(each));
   }
 
   static Literals Renumber(Literals clause) {
@@ -211,15 +194,17 @@ class Saturation {
 
   static bool IsTautology(const Literals& clause) {
     return std::any_of(clause.begin(), clause.end(), [&](const Literal& each) {
-      if (!each.positive) return false;
-      if (IsEquation(each) && each.atom.argument(0) == each.atom.argument(1)) return true;
-      return std::binary_search(clause.begin(), clause.end(), Literal{false, each.atom});
+      if (SmallSimplifier::IsTrue(each)) return true;
+      return each.positive &&
+             std::binary_search(clause.begin(), clause.end(), Literal{false, each.atom});
     });
   }
 
   void Activate() {
+    CleanActive();
     active_.push_back(given_);
     Factor();
+    ResolveEquality();
     const Literals shifted = Shift(given_);
     // By index: nothing is added to `active_` meanwhile.
     for (std::size_t i = 0; i < active_.size() && !spent_ && !refuted_; ++i) {
@@ -257,18 +242,45 @@ class Saturation {
     return !spent_ && !refuted_;
   }
 
+  /// Whether inferences start from the positive literals of a clause.
+  bool IsSource(const Literals& clause) const {
+    return manner_ == Manner::kAnyLiteral || IsPositive(clause);
+  }
+
   void Factor() {
-    for (std::size_t i = 0; i < given_.size(); ++i) {
-      for (std::size_t j = i + 1; j < given_.size() && Spend(); ++j) {
+    if (!IsSource(given_)) return;
+    for (const std::size_t i : Eligible(given_, manner_)) {
+      for (std::size_t j = 0; j < given_.size() && Spend(); ++j) {
+        if (i == j || given_[i].positive != given_[j].positive) continue;
         Bindings bindings;
-        if (given_[i].positive != given_[j].positive ||
-            !Unify(given_[i].atom, given_[j].atom, bindings)) {
-          continue;
+        if (Unify(given_[i].atom, given_[j].atom, bindings)) {
+          Literals factor;
+          AppendRest(given_, i, bindings, factor);
+          Keep(std::move(factor));
         }
-        Literals factor;
-        AppendRest(given_, i, bindings, factor);
-        Keep(std::move(factor));
+        const bool equations = IsEquation(given_[i]) && IsEquation(given_[j]);
+        if (equations && given_[i].positive) FactorEquations(i, j);
       }
+    }
+  }
+
+  /// Of s = t and u = v where s and u unify: t != v takes the place of the first.
+  void FactorEquations(std::size_t i, std::size_t j) {
+    const Atom& first = given_[i].atom;
+    const Atom& second = given_[j].atom;
+    for (std::size_t side = 0; side < 4; ++side) {
+      Bindings bindings;
+      if (!Unify(first.argument(side / 2), second.argument(side % 2), bindings)) continue;
+      const Atom apart(first.predicate(),
+                       {first.argument(1 - side / 2), second.argument(1 - side % 2)});
+      Literals factor{{false, Apply(apart, bindings)}};
+      AppendRest(given_, i, bindings, factor);
+      Keep(std::move(factor));
+    }
+  }
+
+  void ResolveEquality() {
+    for (const std::size_t i : Eligible(given_, manner_)) {
       Bindings bindings;
       if (given_[i].positive || !IsEquation(given_[i]) ||
           !Unify(given_[i].atom.argument(0), given_[i].atom.argument(1), bindings)) {
@@ -281,10 +293,12 @@ class Saturation {
   }
 
   void ResolveWith(const Literals& a, const Literals& b) {
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      for (std::size_t j = 0; j < b.size() && Spend(); ++j) {
+    if (!IsSource(a) && !IsSource(b)) return;
+    for (const std::size_t i : Eligible(a, manner_)) {
+      for (const std::size_t j : Eligible(b, manner_)) {
         Bindings bindings;
-        if (a[i].positive == b[j].positive || !Unify(a[i].atom, b[j].atom, bindings)) continue;
+        if (a[i].positive == b[j].positive || !Spend() || !Unify(a[i].atom, b[j].atom, bindings))
+          continue;
         Literals resolvent;
         AppendRest(a, i, bindings, resolvent);
         AppendRest(b, j, bindings, resolvent);
@@ -293,22 +307,30 @@ class Saturation {
     }
   }
 
-  /// From the equations of `a` into `b`. A side within the other is the smaller one in every
-  /// simplification ordering, so nothing needs to be rewritten with it.
+  /// From the equations of `a` into `b`, from sides that are not the smaller ones.
   void Paramodulate(const Literals& a, const Literals& b) {
-    for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!IsSource(a)) return;
+    for (const std::size_t i : Eligible(a, manner_)) {
       if (!a[i].positive || !IsEquation(a[i])) continue;
       for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-        if (Contains(a[i].atom.argument(1 - side), a[i].atom.argument(side))) continue;
-        Rewriter rewriter(a[i].atom.argument(side), a[i].atom.argument(1 - side));
-        for (std::size_t j = 0; j < b.size() && Spend(); ++j) {
-          for (const auto& [atom, bindings] : rewriter.Results(b[j].atom)) {
-            Literals paramodulant{{b[j].positive, Apply(atom, bindings)}};
-            AppendRest(a, i, bindings, paramodulant);
-            AppendRest(b, j, bindings, paramodulant);
-            Keep(std::move(paramodulant));
-          }
-        }
+        if (IsGreater(a[i].atom.argument(1 - side), a[i].atom.argument(side))) continue;
+        ParamodulateFrom(a, i, side, b);
+      }
+    }
+  }
+
+  void ParamodulateFrom(const Literals& a, std::size_t i, std::size_t side, const Literals& b) {
+    const Term& from = a[i].atom.argument(side);
+    const Term& to = a[i].atom.argument(1 - side);
+    Rewriter rewriter(from, to);
+    for (const std::size_t j : Eligible(b, manner_)) {
+      if (!Spend()) return;
+      for (const auto& [atom, bindings] : rewriter.Results(b[j].atom)) {
+        if (IsGreater(Apply(to, bindings), Apply(from, bindings))) continue;
+        Literals paramodulant{{b[j].positive, Apply(atom, bindings)}};
+        AppendRest(a, i, bindings, paramodulant);
+        AppendRest(b, j, bindings, paramodulant);
+        Keep(std::move(paramodulant));
       }
     }
   }
@@ -316,6 +338,8 @@ class Saturation {
   /// Numbers of variables that no clause reaches.
   static constexpr Variable kApart = 1U << 20U;
 
+  Manner manner_;
+  SmallSimplifier simplifier_;
   std::vector<Literals> active_;
   Queue waiting_;
   std::set<Literals> known_;
@@ -328,6 +352,9 @@ class Saturation {
 
 }  // namespace
 
-Verdict Refute(const std::vector<Literals>& clauses) { return Saturation().Run(clauses); }
+Verdict Refute(const std::vector<Literals>& clauses) {
+  const Verdict verdict = Saturation(Manner::kForward).Run(clauses);
+  return verdict == Verdict::kTooHard ? Saturation(Manner::kAnyLiteral).Run(clauses) : verdict;
+}
 
 }  // namespace latchwork::check_proof

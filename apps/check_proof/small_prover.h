@@ -10,8 +10,10 @@
 namespace latchwork::check_proof {
 
 /// Whether clauses, each with variables of its own and `=` for equality, contradict each other: by
-/// resolution, factoring and paramodulation, shortest clause first, so far as a bounded number of
-/// clauses reaches. For the single steps of a proof, not for whole ones.
+/// superposition, first with a negative literal selected in every clause that has one, with
+/// rewriting, unit cuts and subsumption, smallest clause first, so far as a bounded number of
+/// clauses reaches. For the single steps of a proof, not for whole ones. Numbers, and distinct
+/// objects, are unequal.
 Verdict Refute(const std::vector<std::vector<logic::Literal>>& clauses);
 
 }  // namespace latchwork::check_proof

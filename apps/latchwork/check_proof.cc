@@ -79,7 +79,7 @@ void PrintText(const std::vector<CheckedStep>& steps) {
 int RunCheckProof(const CheckProofSettings& settings) {
   logic::SymbolTable symbols;
   const logic::TptpFile problem = Read(settings.problem, symbols);
-  const logic::TptpFile proof = Read(settings.proof, symbols, true);
+  const logic::TptpFile proof = Read(settings.proof, symbols, Keep::kSources);
   if (!problem.diagnostics.empty() || !proof.diagnostics.empty()) {
     fmt::print(stderr, "{}{}", Format(problem.diagnostics), Format(proof.diagnostics));
     return kInvalidInput;

@@ -80,6 +80,7 @@ pttp::ProverOptions OptionsFor(const ProveSettings& settings, const logic::TptpF
   options.strategy = settings.strategy;
   options.saturation = settings.saturation;
   options.answers = settings.answers || input.asks;
+  options.texts = input.texts;
   options.explain = settings.why;
   options.proof = settings.proof || settings.answers || input.asks || settings.why;
   return options;
@@ -171,7 +172,8 @@ void AddFailure(const pttp::ProverOptions& options, logic::SymbolTable& symbols,
 int RunProve(const ProveSettings& settings) {
   ProveLimits limits(settings.seconds, settings.memory_mb, settings.input.file);
   logic::SymbolTable symbols;
-  const logic::TptpFile input = Read(settings.input, symbols);
+  const Keep keep = settings.proof ? Keep::kTexts : Keep::kNothing;
+  const logic::TptpFile input = Read(settings.input, symbols, keep);
   if (!input.diagnostics.empty()) return RefuseInput(settings, input, limits);
   const pttp::ProverOptions options = OptionsFor(settings, input);
   Outcome outcome = Attempt(settings, input, options, symbols);

@@ -28,9 +28,10 @@ void AddTptpFolder(CLI::App& command, TptpInput& input) {
                      "without it, what the environment variable TPTP names");
 }
 
-logic::TptpFile Read(const TptpInput& input, logic::SymbolTable& symbols, bool keep_sources) {
+logic::TptpFile Read(const TptpInput& input, logic::SymbolTable& symbols, Keep keep) {
   logic::TptpOptions options;
-  options.keep_sources = keep_sources;
+  options.keep_sources = keep == Keep::kSources;
+  options.keep_texts = keep == Keep::kTexts;
   options.max_tokens = input.max_tokens;
   options.include_root = input.folder;
   const char* const root = std::getenv("TPTP");

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "latchwork/logic/symbol.h"
@@ -21,8 +22,11 @@ struct TptpInput {
 /// Adds `--tptp DIR`.
 void AddTptpFolder(CLI::App& command, TptpInput& input);
 
+/// What is wanted beside the formulas.
+enum class Keep : std::uint8_t { kNothing, kSources, kTexts };
+
 logic::TptpFile Read(const TptpInput& input, logic::SymbolTable& symbols,
-                     bool keep_sources = false);
+                     Keep keep = Keep::kNothing);
 
 }  // namespace latchwork::app
 

@@ -104,9 +104,15 @@ bool TptpParser::ReadAnnotated(TptpLanguage language) {
   if (!role) return SkipTypeDeclaration() && ReadEnd();
   annotated.role = *role;
   std::string_view source;
-  if (!ReadFormula(language, annotated) || !ReadAnnotations(source) || !ReadEnd()) return false;
+  const char* const begin = cursor_.token().text.data();
+  if (!ReadFormula(language, annotated)) return false;
+  const char* const end = cursor_.token().text.data();
+  if (!ReadAnnotations(source) || !ReadEnd()) return false;
   result_.formulas.push_back(std::move(annotated));
   if (options_.keep_sources) result_.sources.emplace_back(source);
+  if (options_.keep_texts) {
+    result_.texts.emplace_back(begin, language == TptpLanguage::kTff ? begin : end);
+  }
   return true;
 }
 

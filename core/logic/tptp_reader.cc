@@ -121,10 +121,12 @@ class Reader {
       if (!wanted.contains(result_.formulas[i].name)) continue;
       seen.insert(result_.formulas[i].name);
       if (options_.keep_sources) std::swap(result_.sources[kept], result_.sources[i]);
+      if (options_.keep_texts) std::swap(result_.texts[kept], result_.texts[i]);
       std::swap(result_.formulas[kept++], result_.formulas[i]);
     }
     result_.formulas.resize(kept);
     if (options_.keep_sources) result_.sources.resize(kept);
+    if (options_.keep_texts) result_.texts.resize(kept);
     for (const std::string& name : names) {
       if (seen.contains(name)) continue;
       std::string message = "included file '";

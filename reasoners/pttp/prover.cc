@@ -266,7 +266,7 @@ ProverResult Prove(const std::vector<logic::AnnotatedFormula>& formulas,
                    const ProverOptions& options) {
   const double end_seconds = CpuSeconds() + options.cpu_seconds;
   ProverProblem problem(formulas, symbols, options.proof);
-  Attempt attempt(problem, symbols, {formulas, problem.origins, file}, options);
+  Attempt attempt(problem, symbols, {formulas, problem.origins, file, options.texts}, options);
   const std::vector<Slice> slices = SlicesFor(problem, options);
   double shares = 0;
   for (const Slice& slice : slices) shares += slice.share;

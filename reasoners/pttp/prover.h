@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,8 @@ struct ProverOptions {
   std::size_t memory_bytes = std::size_t{2} << 30U;
   bool proof = false;    ///< Write the proof down.
   bool explain = false;  ///< With `proof`: explain it as well, or keep what its lack is told from.
+  /// Of each formula its text in the file, to be used in the proof; may be empty.
+  std::span<const std::string> texts;
   bool answers =
       false;  ///< Only strategies that can tell the values of the conjecture's variables.
   bool saturation = true;  ///< False: the schedule has only connection tableaux.

@@ -36,6 +36,26 @@ std::string Text(const AnnotatedFormula& annotated) {
   return ToString(is_closed ? formula.children()[0] : formula, annotated.variable_names);
 }
 
+/// On one line, blanks around the ends of lines being one; nothing for a text with comments.
+std::string OnOneLine(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n\v\f";
+  if (text.find('%') != std::string_view::npos || text.find("/*") != std::string_view::npos) {
+    return {};
+  }
+  std::string line;
+  while (!text.empty()) {
+    const std::size_t blanks = text.find_first_of(kBlanks);
+    line += text.substr(0, blanks);
+    if (blanks == std::string_view::npos) break;
+    const std::size_t next = std::min(text.find_first_not_of(kBlanks, blanks), text.size());
+    const std::string_view gap = text.substr(blanks, next - blanks);
+    const bool breaks = gap.find_first_not_of(" \t") != std::string_view::npos;
+    if (next < text.size()) line += breaks ? " " : gap;
+    text.remove_prefix(next);
+  }
+  return line;
+}
+
 std::string_view RoleName(Role role) {
   switch (role) {
     case Role::kConjecture:
@@ -89,13 +109,24 @@ std::string TstpPrinter::Line(std::string_view language, std::string_view stem,
   return name;
 }
 
+std::string TstpPrinter::TextOf(std::size_t index) const {
+  std::string text = index < sources_.texts.size() ? OnOneLine(sources_.texts[index]) : "";
+  return text.empty() ? Text(sources_.formulas[index]) : text;
+}
+
+std::string TstpPrinter::ClosedText(std::size_t index) const {
+  const AnnotatedFormula& formula = sources_.formulas[index];
+  return fmt::format("({})", formula.is_clause ? ToString(formula.formula, formula.variable_names)
+                                               : TextOf(index));
+}
+
 std::string TstpPrinter::Leaf(std::size_t index) {
   std::string& name = leaves_[index];
   if (!name.empty()) return name;
   const AnnotatedFormula& formula = sources_.formulas[index];
   name = Quote(formula.name);
   lines_.push_back(fmt::format("{}({}, {}, {}, file({}, {})).", formula.is_clause ? "cnf" : "fof",
-                               name, RoleName(formula.role), Text(formula),
+                               name, RoleName(formula.role), TextOf(index),
                                logic::QuoteWord(sources_.file), name));
   return name;
 }
@@ -104,10 +135,9 @@ std::string TstpPrinter::Conjectures() {
   std::vector<std::string> parents;
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < sources_.formulas.size(); ++i) {
-    const AnnotatedFormula& formula = sources_.formulas[i];
-    if (formula.role != Role::kConjecture) continue;
+    if (sources_.formulas[i].role != Role::kConjecture) continue;
     parents.push_back(Leaf(i));
-    texts.push_back(fmt::format("({})", ToString(formula.formula, formula.variable_names)));
+    texts.push_back(ClosedText(i));
   }
   if (parents.size() == 1) return parents.front();
   return Line("fof", "conjectures", "conjecture", fmt::format("{}", fmt::join(texts, " & ")),
@@ -120,9 +150,9 @@ std::string TstpPrinter::NegatedConjecture(std::size_t index) {
   const std::vector<std::string> parents{index == kAllConjectures ? Conjectures() : Leaf(index)};
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < sources_.formulas.size(); ++i) {
-    const AnnotatedFormula& formula = sources_.formulas[i];
-    if (formula.role != Role::kConjecture || (index != kAllConjectures && i != index)) continue;
-    texts.push_back(fmt::format("({})", ToString(formula.formula, formula.variable_names)));
+    const bool is_conjecture = sources_.formulas[i].role == Role::kConjecture;
+    if (!is_conjecture || (index != kAllConjectures && i != index)) continue;
+    texts.push_back(ClosedText(i));
   }
   const std::string text =
       texts.size() == 1 ? "~ " + texts.front() : fmt::format("~ ({})", fmt::join(texts, " & "));

@@ -21,6 +21,8 @@ struct ProofSources {
   const std::vector<logic::AnnotatedFormula>& formulas;
   const logic::ClauseOrigins& origins;  ///< Of the clauses that were made from the formulas.
   std::string_view file;
+  /// Of each formula its text in the file, where that is to be kept; may be empty.
+  std::span<const std::string> texts = {};
 };
 
 /// Writes a TSTP derivation line by line, each formula after those that it follows from. A clause
@@ -49,6 +51,9 @@ class TstpPrinter {
   std::string NewName(std::string_view stem);
   std::string Line(std::string_view language, std::string_view stem, std::string_view role,
                    std::string_view formula, std::string_view source);
+  /// As it is written in the file, on one line, where that is known. Clauses are not closed.
+  std::string TextOf(std::size_t formula) const;
+  std::string ClosedText(std::size_t formula) const;
   std::string Leaf(std::size_t formula);
   std::string Conjectures();
   std::string NegatedConjecture(std::size_t formula);

@@ -139,7 +139,7 @@ const Change kChanges[] = {
     {"DefinedPredicateKnown", "definition, def_1 <=>", "definition, p(a) <=>", "not distinct"},
     {"ClauseLiteralDropped", "~ def_1 | ~ s(f(X)), inference(clausify",
      "~ s(f(X)), inference(clausify", "does not follow"},
-    {"InstanceNegated", "cnf(instance_1, plain, ~", "cnf(instance_1, plain,", "no instance"},
+    {"InstanceNegated", "cnf(instance_2, plain, ~", "cnf(instance_2, plain,", "no instance"},
     {"ParentUnknown", "[status(thm)],[clause_1]", "[status(thm)],[clause_77]", "does not stand"},
     {"ParentDropped", "[instance_1,", "[", "do not contradict"},
     {"NameTaken", "cnf(instance_2,", "cnf(instance_1,", "another step has this name"},
@@ -192,6 +192,33 @@ TEST_F(CheckProofTest, SaturationSteps_AreVerified) {
   const std::string wrong = "cnf(1, plain, p(c), inference(superposition,[status(thm)],[a,b])).\n";
   EXPECT_EQ(Check(leaves + right + end).exit_code, kVerified);
   EXPECT_EQ(Check(leaves + wrong + end).exit_code, kRejected);
+}
+
+TEST_F(CheckProofTest, StepsThatAreSimplifiedByOtherClauses_AreVerified) {
+  Prove(
+      "cnf(a, axiom, f(X, e) = X). cnf(b, axiom, ~ q(X) | p(f(f(X, e), e)) | r(X)). "
+      "cnf(c, axiom, ~ r(f(e, Y))). cnf(d, axiom, q(f(e, e))). cnf(g, axiom, ~ p(f(X, X))).");
+  const std::string leaves =
+      "cnf(a, axiom, f(X, e) = X, file('problem.p', a)).\n"
+      "cnf(b, axiom, ~ q(X) | p(f(f(X, e), e)) | r(X), file('problem.p', b)).\n"
+      "cnf(c, axiom, ~ r(f(e, Y)), file('problem.p', c)).\n"
+      "cnf(d, axiom, q(f(e, e)), file('problem.p', d)).\n"
+      "cnf(g, axiom, ~ p(f(X, X)), file('problem.p', g)).\n";
+  const std::string step = "cnf(1, plain, p(e), inference(resolution,[status(thm)],[b,d,a,c])).\n";
+  const std::string end = "cnf(2, plain, $false, inference(resolution,[status(thm)],[1,g,a])).\n";
+  EXPECT_EQ(Check(leaves + step + end).exit_code, kVerified);
+  EXPECT_EQ(Check(leaves + Replaced(step, ",a,c]", ",a]") + end).exit_code, kRejected);
+  EXPECT_EQ(Check(leaves + step + Replaced(end, "[1,g,a]", "[1,g,d]")).exit_code, kRejected);
+}
+
+TEST_F(CheckProofTest, Leaves_AreTheTextOfTheProblem) {
+  const std::string proof = Prove(
+      "fof(a, axiom, ( ! [X_1] :\n  ( p(X_1)=>(q) ) )).\nfof(b, axiom, (p('a  b'))).\n"
+      "fof(c, conjecture, (q)|(r)).");
+  EXPECT_THAT(proof, HasSubstr("fof(a, axiom, ( ! [X_1] : ( p(X_1)=>(q) ) ), file("));
+  EXPECT_THAT(proof, HasSubstr("fof(b, axiom, (p('a  b')), file("));
+  EXPECT_THAT(proof, HasSubstr("negated_conjecture, ~ ((q)|(r)), inference(negate"));
+  EXPECT_EQ(Check(proof).exit_code, kVerified);
 }
 
 TEST_F(CheckProofTest, WhatCannotBeChecked_IsSaid) {

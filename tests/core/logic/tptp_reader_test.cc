@@ -103,6 +103,17 @@ TEST_F(TptpReaderTest, CommentsAndAnnotations_AreIgnored) {
   EXPECT_EQ(ReadOne("cnf(n, axiom, p, file('a.p',n), [description('x')])."), "p");
 }
 
+TEST_F(TptpReaderTest, TextsOfFormulas_AreKeptWhereWanted) {
+  TptpOptions options;
+  options.keep_texts = true;
+  const TptpFile file = ReadTptp(
+      "fof(a, axiom, ( ! [X] :\n (p(X)=>(q)) ), file(x)). cnf(b, axiom, p(Y)|~q).\n"
+      "tff(c, axiom, ![X: $int]: p(X)).",
+      "t", symbols_, options);
+  EXPECT_THAT(file.texts, testing::ElementsAre("( ! [X] :\n (p(X)=>(q)) )", "p(Y)|~q", ""));
+  EXPECT_TRUE(ReadTptp("fof(a, axiom, p).", "t", symbols_).texts.empty());
+}
+
 TEST_F(TptpReaderTest, Distinct_SpellsOutInequalities) {
   EXPECT_EQ(ReadFof("$distinct(a,b,c)"), "a != b & a != c & b != c");
 }

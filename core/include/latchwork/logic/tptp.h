@@ -22,6 +22,9 @@ struct TptpFile {
   /// With TptpOptions::keep_sources: of each formula what stands behind it, such as
   /// `file('a.p', n), [useful]`; may be empty.
   std::vector<std::string> sources;
+  /// With TptpOptions::keep_texts: of each formula its own text in the file, with the spaces and
+  /// comments in it; empty for tff, whose formulas may hold types.
+  std::vector<std::string> texts;
   bool asks = false;  ///< A formula has the role `question`: a conjecture whose answers are wanted.
   Diagnostics diagnostics;
 };
@@ -34,6 +37,7 @@ struct TptpOptions {
   std::size_t max_tokens = 50'000'000;  ///< Per file; bounds the memory that formulas take.
   std::size_t max_diagnostics = 100;
   bool keep_sources = false;
+  bool keep_texts = false;
 };
 
 /// Reads CNF and FOF of TPTP (and untyped TFF formulas: `tff(n, axiom, ...)` without type
