@@ -105,6 +105,7 @@ class Saturation {
 
   Verdict Run(const std::vector<Literals>& clauses) {
     for (const Literals& clause : clauses) Keep(clause);
+    reads_ = false;
     while (!waiting_.empty()) {
       if (refuted_) return Verdict::kYes;
       if (spent_) return Verdict::kTooHard;
@@ -117,7 +118,7 @@ class Saturation {
   }
 
  private:
-  /// With sizes, so that the smallest clause is taken next.
+  /// With sizes, so that the smallest clause is taken next, but all that are given at first.
   using Queue = std::set<std::pair<std::size_t, Literals>>;
 
   /// Keeps a clause, simplified and with its variables numbered anew, unless it is known or a
@@ -137,7 +138,7 @@ class Saturation {
     clause = Renumber(std::move(clause));
     if (clause.empty()) refuted_ = true;
     if (IsTautology(clause) || !known_.insert(clause).second) return;
-    waiting_.insert({size + 3 * clause.size(), std::move(clause)});
+    waiting_.insert({reads_ ? clause.size() : size + 3 * clause.size(), std::move(clause)});
   }
 
   /// Whether the clause at hand says more than the active ones. A simpler one is kept in its stead.
@@ -346,6 +347,7 @@ class Saturation {
   Literals given_;
   std::size_t kept_ = 0;
   std::size_t unifications_ = 0;
+  bool reads_ = true;
   bool refuted_ = false;
   bool spent_ = false;
 };
