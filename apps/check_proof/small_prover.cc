@@ -298,8 +298,9 @@ class Saturation {
     for (const std::size_t i : Eligible(a, manner_)) {
       for (const std::size_t j : Eligible(b, manner_)) {
         Bindings bindings;
-        if (a[i].positive == b[j].positive || !Spend() || !Unify(a[i].atom, b[j].atom, bindings))
+        if (a[i].positive == b[j].positive || !Spend() || !Unify(a[i].atom, b[j].atom, bindings)) {
           continue;
+        }
         Literals resolvent;
         AppendRest(a, i, bindings, resolvent);
         AppendRest(b, j, bindings, resolvent);

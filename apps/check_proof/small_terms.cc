@@ -85,7 +85,7 @@ std::size_t Size(const Term& term, std::size_t& depth) {
 }
 
 Term Apply(const Term& term, const Bindings& bindings) {
-  const Term head = Resolve(term, bindings);
+  Term head = Resolve(term, bindings);
   if (head.is_variable() || head.is_ground()) return head;
   std::vector<Term> arguments;
   for (const Term& argument : head.arguments()) arguments.push_back(Apply(argument, bindings));
