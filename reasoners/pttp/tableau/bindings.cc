@@ -22,7 +22,7 @@ bool Bindings::Occurs(std::uint32_t variable, Instance term) {
   return false;
 }
 
-bool Bindings::UnifyCompounds(Instance a, Instance b, bool safe) {
+bool Bindings::UnifyCompounds(Instance a, Instance b) {
   pairs_.clear();
   pairs_.emplace_back(a, b);
   while (!pairs_.empty()) {
@@ -36,7 +36,7 @@ bool Bindings::UnifyCompounds(Instance a, Instance b, bool safe) {
       const Instance q = Resolve({y[2 + i], right.base});
       const bool descend = TagOfCell(p.cell) >= kOpenTag && TagOfCell(q.cell) >= kOpenTag;
       if (!descend) {
-        if (!UnifyTerms(p, q, safe)) return false;
+        if (!UnifyTerms(p, q)) return false;
       } else if (p.cell == q.cell && (p.base == q.base || TagOfCell(p.cell) == kGroundTag)) {
         continue;
       } else if (TagOfCell(p.cell) == kGroundTag && TagOfCell(q.cell) == kGroundTag) {

@@ -75,8 +75,10 @@ class Bindings {
   /// become part of its own value.
   bool Unify(const Cell* left, std::uint32_t left_base, const Cell* right, std::uint32_t right_base,
              std::uint32_t count, bool safe) {
+    safe_ = safe;
+    old_leads_on_ = fresh_leads_on_ = false;
     for (std::uint32_t i = 0; i < count; ++i) {
-      if (!UnifyTerms({left[i], left_base}, {right[i], right_base}, safe)) return false;
+      if (!UnifyTerms({left[i], left_base}, {right[i], right_base})) return false;
     }
     return true;
   }
@@ -92,19 +94,33 @@ class Bindings {
   static std::uint32_t VariableOf(Instance term) { return term.base + SlotOfCell(term.cell); }
 
   void Bind(std::uint32_t variable, Instance value) {
+    const bool leads_on =
+        TagOfCell(value.cell) == kOpenTag || TagOfCell(value.cell) == kVariableTag;
     values_[variable] = value;
-    if (variable < mark_) trail_.Push(variable);
+    if (variable < mark_) {
+      trail_.Push(variable);
+      old_leads_on_ = old_leads_on_ || leads_on;
+    } else {
+      fresh_leads_on_ = fresh_leads_on_ || leads_on;
+    }
   }
-  bool BindChecked(std::uint32_t variable, Instance value, bool safe) {
-    if (!safe && TagOfCell(value.cell) == kOpenTag && Occurs(variable, value)) return false;
+  /// Whether a variable may occur in a term: between the goal's variables and those of the new
+  /// copy there is no way until one of the other side has been bound to something with variables.
+  bool MayOccur(std::uint32_t variable, Instance value) const {
+    if (safe_ || TagOfCell(value.cell) != kOpenTag) return false;
+    if (variable >= mark_) return value.base >= mark_ || old_leads_on_;
+    return value.base < mark_ || fresh_leads_on_;
+  }
+  bool BindChecked(std::uint32_t variable, Instance value) {
+    if (MayOccur(variable, value) && Occurs(variable, value)) return false;
     Bind(variable, value);
     return true;
   }
-  bool UnifyTerms(Instance a, Instance b, bool safe) {
+  bool UnifyTerms(Instance a, Instance b) {
     a = Resolve(a);
     b = Resolve(b);
     if (TagOfCell(a.cell) == kVariableTag) {
-      if (TagOfCell(b.cell) != kVariableTag) return BindChecked(VariableOf(a), b, safe);
+      if (TagOfCell(b.cell) != kVariableTag) return BindChecked(VariableOf(a), b);
       const std::uint32_t x = VariableOf(a);
       const std::uint32_t y = VariableOf(b);
       if (x > y) {
@@ -114,11 +130,11 @@ class Bindings {
       }
       return true;
     }
-    if (TagOfCell(b.cell) == kVariableTag) return BindChecked(VariableOf(b), a, safe);
+    if (TagOfCell(b.cell) == kVariableTag) return BindChecked(VariableOf(b), a);
     if (a.cell == b.cell && (TagOfCell(a.cell) != kOpenTag || a.base == b.base)) return true;
     if (TagOfCell(a.cell) == kConstantTag || TagOfCell(b.cell) == kConstantTag) return false;
     if (TagOfCell(a.cell) == kGroundTag && TagOfCell(b.cell) == kGroundTag) return false;
-    return UnifyCompounds(a, b, safe);
+    return UnifyCompounds(a, b);
   }
   bool SameTerms(Instance a, Instance b) {
     a = Resolve(a);
@@ -134,7 +150,7 @@ class Bindings {
     if (TagOfCell(a.cell) == kGroundTag && TagOfCell(b.cell) == kGroundTag) return false;
     return SameCompounds(a, b);
   }
-  bool UnifyCompounds(Instance a, Instance b, bool safe);
+  bool UnifyCompounds(Instance a, Instance b);
   bool SameCompounds(Instance a, Instance b);
   bool Occurs(std::uint32_t variable, Instance term);
 
@@ -142,6 +158,9 @@ class Bindings {
   GrowStack<Instance> values_;
   GrowStack<std::uint32_t> trail_;
   std::uint32_t mark_ = 0;
+  bool safe_ = false;
+  bool old_leads_on_ = false;    ///< A variable below the mark was bound to variables.
+  bool fresh_leads_on_ = false;  ///< A variable from the mark on was.
   std::vector<std::pair<Instance, Instance>> pairs_;
   std::vector<Instance> visits_;
 };

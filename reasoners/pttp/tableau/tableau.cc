@@ -146,15 +146,16 @@ Tableau::Keys Tableau::KeysOf(const Goal& goal) const {
   return keys;
 }
 
+inline bool Tableau::Clash(const Keys& a, const Keys& b) {
+  const auto clash = [](std::uint32_t x, std::uint32_t y) { return x != 0 && y != 0 && x != y; };
+  return clash(a[0], b[0]) || clash(a[1], b[1]) || clash(a[2], b[2]);
+}
+
 inline std::uint32_t Tableau::NextFitting(const ConnectionList& list, const Keys& keys,
                                           std::uint32_t from, bool free_only) const {
-  const auto clash = [](std::uint32_t a, std::uint32_t b) { return a != 0 && b != 0 && a != b; };
   const std::uint32_t end = free_only ? list.free : list.size;
   for (; from < end; ++from) {
-    const auto& wanted = list.first[from].keys;
-    if (!clash(keys[0], wanted[0]) && !clash(keys[1], wanted[1]) && !clash(keys[2], wanted[2])) {
-      return from;
-    }
+    if (!Clash(keys, list.first[from].keys)) return from;
   }
   return kNone;
 }
@@ -213,7 +214,7 @@ bool Tableau::TryReductions(const Goal& goal) {
     const Frame& frame = frames_[choice.ancestor];
     choice.ancestor = frame.next.frame;
     const Goal& ancestor = frame.goal;
-    if (ancestor.key != (goal.key ^ 1U)) continue;
+    if (ancestor.key != (goal.key ^ 1U) || Clash(choice.keys, KeysOf(ancestor))) continue;
     if (bindings_.Unify(cells + ancestor.arguments, ancestor.base, cells + goal.arguments,
                         goal.base, goal.arity, false)) {
       ++inferences_;

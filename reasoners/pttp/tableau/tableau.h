@@ -116,6 +116,7 @@ class Tableau {
   bool SameGoals(const Goal& a, const Goal& b);
   bool LooksUp(const Goal& goal, std::uint32_t& complement);
   bool IsLemma(const Goal& goal);
+  static bool Clash(const Keys& a, const Keys& b);
   Keys KeysOf(const Goal& goal) const;
   std::uint32_t NextFitting(const ConnectionList& list, const Keys& keys, std::uint32_t from,
                             bool free_only) const;
