@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <span>
 
 namespace latchwork::pttp {
@@ -30,10 +31,60 @@ std::optional<Numbers> ToNumbers(const Word* words, std::size_t count) {
   return numbers;
 }
 
+bool IsFiniteReal(Word word) {
+  return TagOf(word) == Tag::kReal && std::isfinite(std::bit_cast<double>(*AddressOf(word)));
+}
+
+double RealOf(Word word) { return std::bit_cast<double>(*AddressOf(word)); }
+
+/// A function applied to numbers.
+bool IsFlat(Word word) {
+  if (TagOf(word) != Tag::kCompound) return false;
+  const Word* block = AddressOf(word);
+  return std::all_of(block + 1, block + 1 + ArityOf(block[0]), IsNumber);
+}
+
+/// Nothing for what is no comparison.
+std::optional<bool> Compare(logic::Arithmetic::Predicate predicate, double a, double b) {
+  using Predicate = logic::Arithmetic::Predicate;
+  switch (predicate) {
+    case Predicate::kLess:
+      return a < b;
+    case Predicate::kLessEq:
+      return a <= b;
+    case Predicate::kGreater:
+      return a > b;
+    case Predicate::kGreaterEq:
+      return a >= b;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Nothing for the rarer functions.
+std::optional<double> Combine(logic::Arithmetic::Function function, double a, double b) {
+  using Function = logic::Arithmetic::Function;
+  switch (function) {
+    case Function::kSum:
+      return a + b;
+    case Function::kDifference:
+      return a - b;
+    case Function::kProduct:
+      return a * b;
+    default:
+      return std::nullopt;
+  }
+}
+
 }  // namespace
 
 std::optional<bool> Calculator::Decide(logic::Arithmetic::Predicate predicate,
                                        const Word* arguments, std::size_t arity) {
+  if (arity == 2 && IsFiniteReal(arguments[0]) && IsFiniteReal(arguments[1])) {
+    if (const auto truth = Compare(predicate, RealOf(arguments[0]), RealOf(arguments[1]))) {
+      return truth;
+    }
+  }
   const auto numbers = ToNumbers(arguments, arity);
   if (!numbers) return std::nullopt;
   return logic::Arithmetic::Evaluate(predicate, std::span(numbers->data(), arity));
@@ -42,6 +93,10 @@ std::optional<bool> Calculator::Decide(logic::Arithmetic::Predicate predicate,
 std::optional<Word> Calculator::Apply(const Word* block, const Word* arguments) {
   const std::size_t arity = ArityOf(block[0]);
   if (const auto function = (*functors_)[NumberOf(block[0])].function) {
+    if (arity == 2 && IsFiniteReal(arguments[0]) && IsFiniteReal(arguments[1])) {
+      const auto value = Combine(*function, RealOf(arguments[0]), RealOf(arguments[1]));
+      if (value && std::isfinite(*value)) return RealWord(*value, *heap_);
+    }
     const auto numbers = ToNumbers(arguments, arity);
     if (!numbers) return std::nullopt;
     const auto value = logic::Arithmetic::Evaluate(*function, std::span(numbers->data(), arity));
@@ -56,6 +111,7 @@ std::optional<Word> Calculator::Apply(const Word* block, const Word* arguments) 
 }
 
 std::optional<Word> Calculator::Normalize(Word word) {
+  if (IsFlat(word)) return Apply(AddressOf(word), AddressOf(word) + 1);
   values_.clear();
   visits_.assign(1, {word, false});
   while (!visits_.empty()) {

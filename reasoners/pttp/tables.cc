@@ -11,6 +11,11 @@ constexpr std::size_t kMostWords = std::size_t{1} << 26U;
 constexpr std::size_t kDeepestNesting = 4096;
 constexpr std::uint32_t kNoConsumer = 0xffffffffU;
 
+/// Holds or does not, and binds nothing.
+bool IsTest(const TableStep& step) {
+  return step.kind == TableStep::Kind::kArithmetic || step.kind == TableStep::Kind::kDiffer;
+}
+
 }  // namespace
 
 Tables::Tables(const Workshop& shop)
@@ -66,12 +71,20 @@ bool Tables::Count() {
 }
 
 bool Tables::Continue(const Frame& frame, std::size_t step) {
-  if (step == frame.plan->steps.size()) return Deliver(frame);
+  const std::vector<TableStep>& steps = frame.plan->steps;
+  for (; step < steps.size() && IsTest(steps[step]); ++step) {
+    const Arena::Mark mark = stack_.mark();
+    if (!Count()) return false;
+    const bool holds = Holds(frame, steps[step]);
+    stack_.Release(mark);
+    if (!holds) return true;
+  }
+  if (step == steps.size()) return Deliver(frame);
   if (nesting_ == kDeepestNesting) return Unfit(*frame.run);
   ++nesting_;
   const Arena::Mark mark = stack_.mark();
   bool go_on = true;
-  switch (frame.plan->steps[step].kind) {
+  switch (steps[step].kind) {
     case TableStep::Kind::kFacts:
       go_on = TryFacts(frame, step);
       break;
@@ -81,17 +94,15 @@ bool Tables::Continue(const Frame& frame, std::size_t step) {
     case TableStep::Kind::kUnify:
       go_on = TryUnify(frame, step);
       break;
-    case TableStep::Kind::kArithmetic:
-    case TableStep::Kind::kDiffer:
-      go_on = Count();
-      if (go_on && Holds(frame, frame.plan->steps[step])) go_on = Continue(frame, step + 1);
-      break;
     case TableStep::Kind::kAttachment:
       go_on = TryComputed(frame, step);
       break;
     case TableStep::Kind::kClosing:
       go_on = TryClosing(frame, step);
       break;
+    case TableStep::Kind::kArithmetic:
+    case TableStep::Kind::kDiffer:
+      break;  // done above
   }
   stack_.Release(mark);
   --nesting_;
@@ -103,6 +114,7 @@ bool Tables::TryRow(const Frame& frame, std::size_t step, const Word* row, const
   if (!Count()) return false;
   if (!Matches(frame.plan->steps[step], row, goal, frame.slots)) return true;
   shop_.meter->CountInference();
+  if (origin.resting == nullptr && origin.depth <= frame.depth) return Continue(frame, step + 1);
   Frame next = frame;
   next.resting = Join(frame.resting, origin.resting);
   next.depth = std::max(frame.depth, origin.depth);

@@ -46,9 +46,14 @@ class LayerMind {
     ++latch.version;
   }
 
+  /// Decides, and no more than that.
+  void Cycle() {
+    reasoner_.object->Decide(latches_, {.inferences = 1'000'000, .depth = 96}, decision_);
+  }
+
   /// Sorted texts of what is concluded.
   std::vector<std::string> Decide() {
-    reasoner_.object->Decide(latches_, {.inferences = 1'000'000, .depth = 96}, decision_);
+    Cycle();
     EXPECT_NE(decision_.status, sdk::Status::kFailed) << decision_.message;
     EXPECT_NE(decision_.status, sdk::Status::kInconsistent) << decision_.message;
     std::vector<std::string> texts;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Counts the calls of operator new in a test program. To be included in one of its sources only.
+#ifndef LATCHWORK_TESTS_COUNTED_ALLOCATIONS_H_
+#define LATCHWORK_TESTS_COUNTED_ALLOCATIONS_H_
+
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+namespace latchwork::test {
+
+inline std::size_t& Allocations() {
+  static std::size_t count = 0;
+  return count;
+}
+
+}  // namespace latchwork::test
+
+// Replacements of operator new may not be inline.
+// NOLINTBEGIN(misc-definitions-in-headers)
+void* operator new(std::size_t size) {
+  ++latchwork::test::Allocations();
+  if (void* memory = std::malloc(size); memory != nullptr) return memory;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++latchwork::test::Allocations();
+  return std::malloc(size);
+}
+void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+// NOLINTEND(misc-definitions-in-headers)
+
+#endif  // LATCHWORK_TESTS_COUNTED_ALLOCATIONS_H_
