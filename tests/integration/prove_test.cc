@@ -20,7 +20,7 @@ using ::testing::StartsWith;
 
 constexpr std::string_view kTheorem =
     "fof(a, axiom, ![X] : (p(X) => q(X))). fof(b, axiom, p(a)). fof(c, conjecture, ?[X] : q(X)).";
-/// Its search space has no end and holds no proof.
+/// The space of a tableau has no end and holds no proof.
 constexpr std::string_view kEndless =
     "cnf(a, axiom, p(X, Y) | ~ p(f(X), Y) | ~ p(X, g(Y))). cnf(b, axiom, p(X, X) | p(f(X), g(X)))."
     "cnf(c, axiom, ~ p(a, b)). cnf(d, axiom, p(g(X), Y) | ~ p(Y, f(X)) | p(Y, X)).";
@@ -159,7 +159,7 @@ TEST_F(ProveTest, Includes_AreFoundByOptionThenByVariable) {
 }
 
 TEST_F(ProveTest, Time_IsCpuTime) {
-  const CommandResult result = Prove(kEndless, {"--time", "0.2"});
+  const CommandResult result = Prove(kEndless, {"--strategy", "goal", "--time", "0.2"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, HasSubstr("% SZS status Timeout for problem.p\n"));
   EXPECT_EQ(CountStatusLines(result.out), 1U);
@@ -167,7 +167,8 @@ TEST_F(ProveTest, Time_IsCpuTime) {
 
 TEST_F(ProveTest, LimitOfTheShell_IsATimeoutToo) {
   Write("problem.p", kEndless);
-  const CommandResult result = Shell("ulimit -S -t 1; latchwork prove --time 100 problem.p");
+  const CommandResult result =
+      Shell("ulimit -S -t 1; latchwork prove --strategy goal --time 100 problem.p");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.out.substr(0, result.out.find('\n')), "% SZS status Timeout for problem.p");
 }
@@ -177,8 +178,9 @@ TEST_F(ProveTest, Signals_LeadToOneStatusLine) {
   const auto signalled = [&](const std::string& signal) {
     // The first status line that is written is the only one; the process ends by itself.
     return Shell(
-        "latchwork prove --time 100 problem.p & while ! grep -q prove /proc/$!/cmdline; "
-        "do :; done; while [ $(cut -d' ' -f14 /proc/$!/stat) -lt 5 ]; do :; done; "
+        "latchwork prove --strategy goal --time 100 problem.p & "
+        "while ! grep -q prove /proc/$!/cmdline; do :; done; while [ $(cut -d' ' -f14 "
+        "/proc/$!/stat) -lt 5 ]; do :; done; "
         "kill -s " +
         signal + " $!; wait $!");
   };
