@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reasoners/pttp/schedule.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "latchwork/logic/tptp.h"
+#include "reasoners/pttp/prover.h"
+
+namespace latchwork::pttp {
+namespace {
+
+using ::testing::IsEmpty;
+
+ProverProblem Problem(std::string_view text) {
+  logic::SymbolTable symbols;
+  return {logic::ReadTptp(text, "test.p", symbols).formulas, symbols, false};
+}
+
+TEST(ScheduleTest, Names_AreDifferentAndFound) {
+  std::set<std::string_view> names;
+  for (const NamedStrategy& strategy : Strategies()) {
+    EXPECT_TRUE(names.insert(strategy.name).second) << strategy.name;
+    EXPECT_EQ(FindStrategy(strategy.name), &strategy);
+    EXPECT_FALSE(strategy.help.empty());
+  }
+  EXPECT_EQ(FindStrategy("no such"), nullptr);
+}
+
+TEST(ScheduleTest, StrategiesThatLeaveProofsOut_AreNotCalledComplete) {
+  for (const NamedStrategy& strategy : Strategies()) {
+    const bool cuts = strategy.tableau.cut != Cut::kNone ||
+                      strategy.tableau.start == Start::kConjecture ||
+                      strategy.saturation.relevance_depth != 0;
+    EXPECT_NE(strategy.complete, cuts) << strategy.name;
+  }
+}
+
+TEST(ScheduleTest, EverySchedule_NamesStrategiesAndEndsWithACompleteOneAmongThem) {
+  for (const std::string_view text :
+       {"fof(a, axiom, p(a)).", "fof(a, axiom, a = b). fof(c, conjecture, f(a) = f(b)).",
+        "fof(a, axiom, $less(1, 2))."}) {
+    bool complete = false;
+    for (const Slice& slice : ScheduleFor(Problem(text))) {
+      ASSERT_NE(slice.strategy, nullptr);
+      EXPECT_GT(slice.share, 0);
+      complete = complete || slice.strategy->complete;
+    }
+    EXPECT_TRUE(complete) << text;
+  }
+}
+
+TEST(ScheduleTest, WithoutSaturation_TableauxProveEquationsToo) {
+  logic::SymbolTable symbols;
+  const auto file = logic::ReadTptp("fof(a, axiom, a = b). fof(c, conjecture, f(g(a)) = f(g(b))).",
+                                    "test.p", symbols);
+  ASSERT_THAT(file.diagnostics, IsEmpty());
+  ProverOptions options;
+  options.budget.inferences = 100'000;
+  options.saturation = false;
+  const ProverResult result = Prove(file.formulas, symbols, "test.p", options);
+  EXPECT_EQ(result.status, Szs::kTheorem);
+  EXPECT_EQ(FindStrategy(result.strategy)->method, NamedStrategy::Method::kTableau);
+}
+
+}  // namespace
+}  // namespace latchwork::pttp
