@@ -94,8 +94,9 @@ Formula ToFormula(const NormalTree& tree, NormalTree::Id id) {
   std::vector<NormalTree::Id> order = tree.Below(id);
   std::vector<Formula> values;
   // Backwards, children stand before their node, the first child last.
-  for (auto each = order.rbegin(); each != order.rend(); ++each) {
-    const NormalTree::Node& node = tree.nodes[*each];
+  std::reverse(order.begin(), order.end());
+  for (const NormalTree::Id each : order) {
+    const NormalTree::Node& node = tree.nodes[each];
     std::vector<Formula> children = TakeLast(values, node.children.size());
     std::reverse(children.begin(), children.end());
     values.push_back(FromNode(node, std::move(children)));

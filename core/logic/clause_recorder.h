@@ -18,7 +18,11 @@ class ClauseRecorder {
   explicit ClauseRecorder(const std::vector<std::string>& variable_names)
       : variable_names_(variable_names) {}
 
-  void Begin() { *this = ClauseRecorder(variable_names_); }
+  void Begin() {
+    normal_.clear();
+    skolemized_.clear();
+    functions_.clear();
+  }
   void Constant(bool value);
   void Literal(bool positive, const Atom& atom, const Atom& substituted);
   void Skolem(Symbol function) { functions_.push_back(function); }
@@ -32,13 +36,6 @@ class ClauseRecorder {
   ClauseOrigins::NormalForm Take(const std::vector<Variable>& sources);
 
  private:
-  ClauseRecorder& operator=(ClauseRecorder&& other) noexcept {
-    normal_ = std::move(other.normal_);
-    skolemized_ = std::move(other.skolemized_);
-    functions_ = std::move(other.functions_);
-    return *this;
-  }
-
   const std::vector<std::string>& variable_names_;
   std::vector<Formula> normal_;
   std::vector<Formula> skolemized_;
