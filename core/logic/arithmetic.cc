@@ -200,6 +200,11 @@ std::optional<bool> Arithmetic::Evaluate(Predicate predicate, std::span<const Te
   return Compare(predicate, numbers[0].number(), numbers[1].number());
 }
 
+std::optional<bool> Arithmetic::Evaluate(Predicate predicate, double a, double b) {
+  if (kInterpretedPredicates[static_cast<std::size_t>(predicate)].arity != 2) return std::nullopt;
+  return Compare(predicate, a, b);
+}
+
 std::optional<Term> Arithmetic::Evaluate(Function function, std::span<const Term> numbers) {
   const std::size_t arity = kInterpretedFunctions[static_cast<std::size_t>(function)].arity;
   if (!AreNumbers(numbers, arity)) return std::nullopt;

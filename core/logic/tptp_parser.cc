@@ -11,23 +11,23 @@ namespace {
 
 using Kind = TptpToken::Kind;
 
-struct RoleName {
+struct KnownRole {
   std::string_view name;
   Role role;
 };
 
 constexpr std::array kRoles = {
-    RoleName{"axiom", Role::kAxiom},
-    RoleName{"hypothesis", Role::kAxiom},
-    RoleName{"definition", Role::kAxiom},
-    RoleName{"assumption", Role::kAxiom},
-    RoleName{"lemma", Role::kAxiom},
-    RoleName{"theorem", Role::kAxiom},
-    RoleName{"corollary", Role::kAxiom},
-    RoleName{"plain", Role::kAxiom},
-    RoleName{"conjecture", Role::kConjecture},
-    RoleName{"question", Role::kConjecture},
-    RoleName{"negated_conjecture", Role::kNegatedConjecture},
+    KnownRole{"axiom", Role::kAxiom},
+    KnownRole{"hypothesis", Role::kAxiom},
+    KnownRole{"definition", Role::kAxiom},
+    KnownRole{"assumption", Role::kAxiom},
+    KnownRole{"lemma", Role::kAxiom},
+    KnownRole{"theorem", Role::kAxiom},
+    KnownRole{"corollary", Role::kAxiom},
+    KnownRole{"plain", Role::kAxiom},
+    KnownRole{"conjecture", Role::kConjecture},
+    KnownRole{"question", Role::kConjecture},
+    KnownRole{"negated_conjecture", Role::kNegatedConjecture},
 };
 
 constexpr std::array<std::string_view, 5> kSourceFunctions = {"inference", "introduced", "file",
@@ -43,7 +43,7 @@ std::optional<TptpLanguage> FindLanguage(std::string_view word) {
 std::string RoleHint(std::string_view word) {
   std::vector<std::string> names;
   std::string all;
-  for (const RoleName& each : kRoles) {
+  for (const KnownRole& each : kRoles) {
     names.emplace_back(each.name);
     all += (all.empty() ? "" : ", ") + std::string(each.name);
   }
@@ -136,7 +136,7 @@ bool TptpParser::ReadName(std::string& name) {
 bool TptpParser::ReadRole(TptpLanguage language, std::optional<Role>& role) {
   const std::string_view text = cursor_.token().text;
   const auto found = std::find_if(kRoles.begin(), kRoles.end(),
-                                  [&](const RoleName& each) { return each.name == text; });
+                                  [&](const KnownRole& each) { return each.name == text; });
   const bool is_type = text == "type" && language == TptpLanguage::kTff;
   if (!cursor_.Is(Kind::kLowerWord)) return cursor_.FailExpected("a role such as 'axiom'");
   if (text == "type" && !is_type) {

@@ -18,17 +18,6 @@ bool IsVariableName(std::string_view name) {
          std::all_of(name.begin(), name.end(), is_word_byte);
 }
 
-std::string_view RoleName(Role role) {
-  switch (role) {
-    case Role::kConjecture:
-      return "conjecture";
-    case Role::kNegatedConjecture:
-      return "negated_conjecture";
-    default:
-      return "axiom";
-  }
-}
-
 bool IsNumber(std::string_view name) {
   return !name.empty() && name.find_first_not_of("0123456789") == std::string_view::npos;
 }
@@ -47,6 +36,17 @@ std::string Annotate(std::string_view language, std::string_view name, Role role
 }
 
 }  // namespace
+
+std::string_view RoleName(Role role) {
+  switch (role) {
+    case Role::kConjecture:
+      return "conjecture";
+    case Role::kNegatedConjecture:
+      return "negated_conjecture";
+    default:
+      return "axiom";
+  }
+}
 
 std::vector<std::string> DistinctNames(const std::vector<std::string>& names) {
   std::unordered_set<std::string> taken;

@@ -44,23 +44,6 @@ bool IsFlat(Word word) {
   return std::all_of(block + 1, block + 1 + ArityOf(block[0]), IsNumber);
 }
 
-/// Nothing for what is no comparison.
-std::optional<bool> Compare(logic::Arithmetic::Predicate predicate, double a, double b) {
-  using Predicate = logic::Arithmetic::Predicate;
-  switch (predicate) {
-    case Predicate::kLess:
-      return a < b;
-    case Predicate::kLessEq:
-      return a <= b;
-    case Predicate::kGreater:
-      return a > b;
-    case Predicate::kGreaterEq:
-      return a >= b;
-    default:
-      return std::nullopt;
-  }
-}
-
 /// Nothing for the rarer functions.
 std::optional<double> Combine(logic::Arithmetic::Function function, double a, double b) {
   using Function = logic::Arithmetic::Function;
@@ -81,9 +64,7 @@ std::optional<double> Combine(logic::Arithmetic::Function function, double a, do
 std::optional<bool> Calculator::Decide(logic::Arithmetic::Predicate predicate,
                                        const Word* arguments, std::size_t arity) {
   if (arity == 2 && IsFiniteReal(arguments[0]) && IsFiniteReal(arguments[1])) {
-    if (const auto truth = Compare(predicate, RealOf(arguments[0]), RealOf(arguments[1]))) {
-      return truth;
-    }
+    return logic::Arithmetic::Evaluate(predicate, RealOf(arguments[0]), RealOf(arguments[1]));
   }
   const auto numbers = ToNumbers(arguments, arity);
   if (!numbers) return std::nullopt;

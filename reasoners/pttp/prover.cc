@@ -8,7 +8,6 @@
 
 #include "reasoners/pttp/engine.h"
 #include "reasoners/pttp/engine_proof.h"
-#include "reasoners/pttp/equality_axioms.h"
 #include "reasoners/pttp/proof_printer.h"
 #include "reasoners/pttp/prover_problem.h"
 #include "reasoners/pttp/schedule.h"
@@ -102,16 +101,14 @@ class Attempt {
   End RunTableau(Strategy strategy) {
     strategy.deepest = options_.budget.depth;
     strategy.inferences = InferencesLeft();
-    std::vector<logic::Clause> clauses = problem_.clauses;
-    if (problem_.mentions_equality) clauses.push_back(Reflexivity(symbols_));
-    Matrix matrix(clauses, strategy);
+    Matrix matrix(problem_.clauses, strategy);
     Tableau tableau(matrix, strategy, options_.memory_bytes, [this] { return SliceIsOver(); });
     const TableauEnd end = tableau.Search();
     result.statistics.inferences += tableau.inferences();
     result.statistics.depth = tableau.depth();
     switch (end) {
       case TableauEnd::kClosed:
-        if (options_.proof) Print(clauses, tableau.Refutation());
+        if (options_.proof) Print(tableau.Refutation());
         return End::kRefuted;
       case TableauEnd::kSaturated:
         return End::kModel;
@@ -158,7 +155,8 @@ class Attempt {
 
   End RunEngine() {
     Engine engine(symbols_, {});
-    engine.SetTheory(problem_.clauses, {});
+    const auto clauses = problem_.for_engine();
+    engine.SetTheory({clauses.begin(), clauses.end()}, {});
     engine.Begin(options_.budget);
     SearchRequest request;
     request.starts = StartClauses(engine.program());
@@ -182,8 +180,8 @@ class Attempt {
     return end == SearchEnd::kExhausted ? End::kModel : End::kGaveUp;
   }
 
-  void Print(std::span<const logic::Clause> clauses, const std::vector<ClauseInstance>& instances) {
-    ProofPrinter printer(clauses, sources_);
+  void Print(const std::vector<ClauseInstance>& instances) {
+    ProofPrinter printer(problem_.clauses, sources_);
     for (const ClauseInstance& instance : instances) printer.Add(instance);
     printer.Finish();
     Keep(printer);

@@ -46,11 +46,6 @@ void Look(const Clause& clause, Meaning& meaning) {
   }
 }
 
-bool IsHorn(const Clause& clause) {
-  return std::count_if(clause.literals.begin(), clause.literals.end(),
-                       [](const logic::Literal& literal) { return literal.positive; }) <= 1;
-}
-
 }  // namespace
 
 ProverProblem::ProverProblem(const std::vector<logic::AnnotatedFormula>& formulas,
@@ -60,15 +55,15 @@ ProverProblem::ProverProblem(const std::vector<logic::AnnotatedFormula>& formula
   has_conjecture = std::any_of(formulas.begin(), formulas.end(), [](const auto& formula) {
     return formula.role == logic::Role::kConjecture;
   });
-  is_horn = std::all_of(clauses.begin(), clauses.end(), IsHorn);
   Meaning meaning;
   for (const Clause& clause : clauses) Look(clause, meaning);
-  mentions_equality = meaning.equality;
   has_arithmetic = meaning.arithmetic;
   has_fixed_meaning = meaning.arithmetic || meaning.distinct;
   std::vector<Clause> axioms = EqualityAxioms(clauses, {}, symbols);
   has_equality = !axioms.empty();
   for (Clause& axiom : axioms) clauses.push_back(std::move(axiom));
+  engine_size = clauses.size();
+  if (meaning.equality) clauses.push_back(Reflexivity(symbols));
 }
 
 }  // namespace latchwork::pttp

@@ -18,16 +18,18 @@ struct ProverProblem {
   ProverProblem(const std::vector<logic::AnnotatedFormula>& formulas, logic::SymbolTable& symbols,
                 bool with_origins);
 
-  /// The clauses of the formulas, without the axioms of equality that follow them.
+  /// The clauses of the formulas, for a strategy with equality built in.
   std::span<const logic::Clause> input() const { return {clauses.data(), input_size}; }
+  /// With the axioms of equality that are not built into the engine.
+  std::span<const logic::Clause> for_engine() const { return {clauses.data(), engine_size}; }
 
-  std::vector<logic::Clause> clauses;
+  std::vector<logic::Clause> clauses;  ///< With all axioms of equality.
   std::size_t input_size = 0;
+  std::size_t engine_size = 0;
   logic::ClauseOrigins origins;
   bool has_conjecture = false;
   bool mentions_equality = false;
-  bool has_equality = false;  ///< Some clause concludes an equation.
-  bool is_horn = false;
+  bool has_equality = false;       ///< Some clause concludes an equation.
   bool has_arithmetic = false;     ///< An interpreted function or predicate, a number.
   bool has_fixed_meaning = false;  ///< That, or a distinct object: a model must respect it.
 };

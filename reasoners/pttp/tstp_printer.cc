@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "latchwork/logic/tptp.h"
+
 namespace latchwork::pttp {
 namespace {
 
@@ -54,17 +56,6 @@ std::string OnOneLine(std::string_view text) {
     text.remove_prefix(next);
   }
   return line;
-}
-
-std::string_view RoleName(Role role) {
-  switch (role) {
-    case Role::kConjecture:
-      return "conjecture";
-    case Role::kNegatedConjecture:
-      return "negated_conjecture";
-    default:
-      return "axiom";
-  }
 }
 
 std::string Quote(std::string_view name) {
@@ -126,7 +117,7 @@ std::string TstpPrinter::Leaf(std::size_t index) {
   const AnnotatedFormula& formula = sources_.formulas[index];
   name = Quote(formula.name);
   lines_.push_back(fmt::format("{}({}, {}, {}, file({}, {})).", formula.is_clause ? "cnf" : "fof",
-                               name, RoleName(formula.role), TextOf(index),
+                               name, logic::RoleName(formula.role), TextOf(index),
                                logic::QuoteWord(sources_.file), name));
   return name;
 }

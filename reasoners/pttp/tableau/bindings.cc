@@ -10,6 +10,7 @@ bool Bindings::Occurs(std::uint32_t variable, Instance term) {
     const Instance current = visits_.back();
     visits_.pop_back();
     const Cell* block = cells_ + OffsetOfCell(current.cell);
+    if (!Spend(block[1])) return true;
     for (std::uint32_t i = block[1]; i > 0; --i) {
       const Instance argument = Resolve({block[1 + i], current.base});
       if (TagOfCell(argument.cell) == kOpenTag) {
@@ -22,7 +23,9 @@ bool Bindings::Occurs(std::uint32_t variable, Instance term) {
   return false;
 }
 
-bool Bindings::UnifyCompounds(Instance a, Instance b) {
+/// Goes through two compound terms side by side; `agree` decides where one of them is none.
+template <typename Agree>
+bool Bindings::AgreeBelow(Instance a, Instance b, const Agree& agree) {
   pairs_.clear();
   pairs_.emplace_back(a, b);
   while (!pairs_.empty()) {
@@ -30,18 +33,16 @@ bool Bindings::UnifyCompounds(Instance a, Instance b) {
     pairs_.pop_back();
     const Cell* x = cells_ + OffsetOfCell(left.cell);
     const Cell* y = cells_ + OffsetOfCell(right.cell);
-    if (x[0] != y[0]) return false;
+    if (x[0] != y[0] || !Spend(x[1])) return false;
     for (std::uint32_t i = 0; i < x[1]; ++i) {
       const Instance p = Resolve({x[2 + i], left.base});
       const Instance q = Resolve({y[2 + i], right.base});
-      const bool descend = TagOfCell(p.cell) >= kOpenTag && TagOfCell(q.cell) >= kOpenTag;
-      if (!descend) {
-        if (!UnifyTerms(p, q)) return false;
-      } else if (p.cell == q.cell && (p.base == q.base || TagOfCell(p.cell) == kGroundTag)) {
-        continue;
-      } else if (TagOfCell(p.cell) == kGroundTag && TagOfCell(q.cell) == kGroundTag) {
-        return false;
-      } else {
+      const bool p_ground = TagOfCell(p.cell) == kGroundTag;
+      if (TagOfCell(p.cell) < kOpenTag || TagOfCell(q.cell) < kOpenTag) {
+        if (!agree(p, q)) return false;
+      } else if (p_ground && TagOfCell(q.cell) == kGroundTag) {
+        if (p.cell != q.cell) return false;
+      } else if (p.cell != q.cell || p.base != q.base) {
         pairs_.emplace_back(p, q);
       }
     }
@@ -49,29 +50,12 @@ bool Bindings::UnifyCompounds(Instance a, Instance b) {
   return true;
 }
 
+bool Bindings::UnifyCompounds(Instance a, Instance b) {
+  return AgreeBelow(a, b, [this](Instance p, Instance q) { return UnifyTerms(p, q); });
+}
+
 bool Bindings::SameCompounds(Instance a, Instance b) {
-  pairs_.clear();
-  pairs_.emplace_back(a, b);
-  while (!pairs_.empty()) {
-    const auto [left, right] = pairs_.back();
-    pairs_.pop_back();
-    const Cell* x = cells_ + OffsetOfCell(left.cell);
-    const Cell* y = cells_ + OffsetOfCell(right.cell);
-    if (x[0] != y[0]) return false;
-    for (std::uint32_t i = 0; i < x[1]; ++i) {
-      const Instance p = Resolve({x[2 + i], left.base});
-      const Instance q = Resolve({y[2 + i], right.base});
-      const bool descend = TagOfCell(p.cell) >= kOpenTag && TagOfCell(q.cell) >= kOpenTag;
-      if (!descend) {
-        if (!SameTerms(p, q)) return false;
-      } else if (p.cell == q.cell && (p.base == q.base || TagOfCell(p.cell) == kGroundTag)) {
-        continue;
-      } else {
-        pairs_.emplace_back(p, q);
-      }
-    }
-  }
-  return true;
+  return AgreeBelow(a, b, [this](Instance p, Instance q) { return SameTerms(p, q); });
 }
 
 }  // namespace latchwork::pttp

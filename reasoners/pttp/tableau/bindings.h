@@ -24,6 +24,10 @@ class Bindings {
  public:
   explicit Bindings(const Matrix& matrix) : cells_(matrix.cells()) {}
 
+  static constexpr std::uint64_t kMostWork = std::uint64_t{1} << 20U;
+  /// Whether a comparison was ever too long to be finished, and taken for a failure.
+  bool gave_up() const { return gave_up_; }
+
   std::uint32_t size() const { return static_cast<std::uint32_t>(values_.size()); }
   std::uint32_t trail_size() const { return static_cast<std::uint32_t>(trail_.size()); }
   std::size_t bytes() const { return values_.bytes() + trail_.bytes(); }
@@ -76,6 +80,7 @@ class Bindings {
   bool Unify(const Cell* left, std::uint32_t left_base, const Cell* right, std::uint32_t right_base,
              std::uint32_t count, bool safe) {
     safe_ = safe;
+    work_ = 0;
     old_leads_on_ = fresh_leads_on_ = false;
     for (std::uint32_t i = 0; i < count; ++i) {
       if (!UnifyTerms({left[i], left_base}, {right[i], right_base})) return false;
@@ -84,6 +89,7 @@ class Bindings {
   }
   bool Identical(const Cell* left, std::uint32_t left_base, const Cell* right,
                  std::uint32_t right_base, std::uint32_t count) {
+    work_ = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
       if (!SameTerms({left[i], left_base}, {right[i], right_base})) return false;
     }
@@ -150,6 +156,15 @@ class Bindings {
     if (TagOfCell(a.cell) == kGroundTag && TagOfCell(b.cell) == kGroundTag) return false;
     return SameCompounds(a, b);
   }
+  /// Whether one comparison may go on. Terms that share their parts can be exponentially larger
+  /// than what they are written with.
+  bool Spend(std::uint32_t steps) {
+    work_ += steps;
+    gave_up_ = gave_up_ || work_ > kMostWork;
+    return work_ <= kMostWork;
+  }
+  template <typename Agree>
+  bool AgreeBelow(Instance a, Instance b, const Agree& agree);
   bool UnifyCompounds(Instance a, Instance b);
   bool SameCompounds(Instance a, Instance b);
   bool Occurs(std::uint32_t variable, Instance term);
@@ -159,6 +174,8 @@ class Bindings {
   GrowStack<std::uint32_t> trail_;
   std::uint32_t mark_ = 0;
   bool safe_ = false;
+  bool gave_up_ = false;
+  std::uint64_t work_ = 0;
   bool old_leads_on_ = false;    ///< A variable below the mark was bound to variables.
   bool fresh_leads_on_ = false;  ///< A variable from the mark on was.
   std::vector<std::pair<Instance, Instance>> pairs_;

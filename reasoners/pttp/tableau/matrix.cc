@@ -126,7 +126,6 @@ Matrix::Matrix(std::span<const Clause> clauses, const Strategy& strategy) {
   AddEntries(strategy);
   connections_.resize(literals_.size());
   ChooseStarts(clauses, strategy);
-  FindGoalKeys();
 }
 
 std::uint32_t Matrix::AddEntry(const ClauseRange& clause, std::uint32_t head,
@@ -268,25 +267,6 @@ void Matrix::ChooseStarts(std::span<const Clause> clauses, const Strategy& strat
   conjectures.insert(conjectures.end(), others.begin(), others.end());
   for (const std::uint32_t clause : conjectures) {
     starts_.push_back(AddEntry(clauses_[clause], kNoHead, strategy));
-  }
-}
-
-void Matrix::FindGoalKeys() {
-  goal_keys_.assign(keys_, false);
-  std::vector<std::uint32_t> visits;
-  const auto add_body = [&](const Entry& entry) {
-    for (std::uint32_t i = 0; i < entry.size; ++i) {
-      const std::uint32_t key = literals_[bodies_[entry.body + i]].key;
-      if (goal_keys_[key]) continue;
-      goal_keys_[key] = true;
-      visits.push_back(key);
-    }
-  };
-  for (const std::uint32_t start : starts_) add_body(entries_[start]);
-  while (!visits.empty()) {
-    const std::uint32_t key = visits.back();
-    visits.pop_back();
-    for (const std::uint32_t entry : entries_of_key_[key ^ 1U]) add_body(entries_[entry]);
   }
 }
 

@@ -90,8 +90,6 @@ class Matrix {
   const std::vector<std::uint32_t>& starts() const { return starts_; }
   /// Whether every minimal refutation of the clauses has a start clause among `starts`.
   bool starts_are_complete() const { return starts_are_complete_; }
-  /// Whether a goal with this key can stand above a goal with the complement.
-  bool MayBeAncestor(std::uint32_t key) const { return goal_keys_[key]; }
 
   /// The constant or, as a constant, the function symbol with this number.
   const logic::Term& functor(std::uint32_t number) const { return functors_[number]; }
@@ -109,7 +107,6 @@ class Matrix {
   std::uint32_t AddEntry(const ClauseRange& clause, std::uint32_t head, const Strategy& strategy);
   void ChooseStarts(std::span<const logic::Clause> clauses, const Strategy& strategy);
   void FindConnections(std::uint32_t literal);
-  void FindGoalKeys();
   bool IsLinear(const MatrixLiteral& literal, std::uint32_t slots) const;
   std::uint32_t KeyOf(Cell cell) const;
   bool CanConnect(const MatrixLiteral& goal, const MatrixLiteral& head) const;
@@ -124,7 +121,6 @@ class Matrix {
   std::vector<std::uint32_t> ways_;  ///< Number of literals, by key.
   std::vector<ConnectionList> connections_;
   std::vector<std::vector<Connection>> found_;
-  std::vector<bool> goal_keys_;
   std::vector<std::uint32_t> starts_;
   std::uint32_t keys_ = 0;
   std::vector<logic::Symbol> predicates_;

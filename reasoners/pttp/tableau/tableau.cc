@@ -28,7 +28,8 @@ TableauEnd Tableau::Search() {
       if (end != TableauEnd::kSaturated) return end;
     }
     if (cut_off_) continue;
-    return pruned_ || !matrix_.starts_are_complete() ? TableauEnd::kGaveUp : TableauEnd::kSaturated;
+    const bool incomplete = pruned_ || bindings_.gave_up() || !matrix_.starts_are_complete();
+    return incomplete ? TableauEnd::kGaveUp : TableauEnd::kSaturated;
   }
   return TableauEnd::kGaveUp;
 }

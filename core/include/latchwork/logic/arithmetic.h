@@ -47,6 +47,8 @@ class Arithmetic {
 
   /// Nothing when an argument is not a number or the result is no value.
   static std::optional<bool> Evaluate(Predicate predicate, std::span<const Term> numbers);
+  /// The same for two finite reals.
+  static std::optional<bool> Evaluate(Predicate predicate, double a, double b);
   static std::optional<Term> Evaluate(Function function, std::span<const Term> numbers);
   /// Evaluates every interpreted function in a ground term, innermost first; nothing when one has
   /// no value.

@@ -60,6 +60,8 @@ struct TptpAtom {
 };
 TptpAtom ReadTptpAtom(std::string_view text, std::string_view name, SymbolTable& symbols);
 
+/// The role as TPTP writes it.
+std::string_view RoleName(Role role);
 /// Writes annotated formulas that read back to the same values: `fof(name, role, formula).`, one
 /// per line.
 std::string WriteTptp(const std::vector<AnnotatedFormula>& formulas);
