@@ -6,8 +6,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <memory>
+#include <span>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "reasoners/pttp/engine.h"
@@ -98,29 +99,53 @@ BENCHMARK(LatchUpdate)
     ->Arg(100)
     ->Unit(benchmark::kMicrosecond);
 
+/// Cancels the decision that it is called in once the search is under way.
+class Canceller final : public sdk::Attachment {
+ public:
+  Canceller() {
+    signature_.predicate = "tick";
+    signature_.arguments = {{{"n", sdk::ArgumentType::kAny, ""}, sdk::Attachment::Mode::kIn}};
+  }
+  const Signature& signature() const override { return signature_; }
+  void Call(std::span<const logic::Term> /*inputs*/, sdk::AttachmentContext& /*context*/,
+            sdk::AnswerSink& outputs) override {
+    outputs.Answer({});
+    if (++calls_ != kUnderWay) return;
+    cancelled = true;
+    start = std::chrono::steady_clock::now();
+  }
+  void Reset() {
+    calls_ = 0;
+    cancelled = false;
+  }
+
+  std::atomic<bool> cancelled{false};
+  std::chrono::steady_clock::time_point start;
+
+ private:
+  static constexpr int kUnderWay = 500;
+  Signature signature_;
+  int calls_ = 0;
+};
+
 /// From the cancellation to the end of the decision, by the wall clock; the search has no end.
 void CancellationLatency(benchmark::State& state) {
   AgentMind mind("cancel_bench",
-                 "cnf(b, axiom, n(a)). cnf(s, axiom, n(X) | ~ n(s(X)))."
+                 "cnf(b, axiom, n(a)). cnf(s, axiom, n(X) | ~ tick(X) | ~ n(s(X)))."
                  "cnf(d, axiom, n(X) | ~ n(t(X))). cnf(g, axiom, goal | ~ n(z)).");
+  const auto canceller = std::make_shared<Canceller>();
+  mind.body.attachments.push_back(canceller);
   mind.Goal("goal");
   mind.Load();
   mind.budget.depth = 100'000;
   mind.budget.inferences = ~std::uint64_t{0};
+  mind.budget.cancelled = &canceller->cancelled;
   Sample micros;
   for (auto _ : state) {
-    std::atomic<bool> cancelled{false};
-    mind.budget.cancelled = &cancelled;
-    std::chrono::steady_clock::time_point end;
-    std::thread worker([&] {
-      mind.Decide();
-      end = std::chrono::steady_clock::now();
-    });
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    const auto start = std::chrono::steady_clock::now();
-    cancelled = true;
-    worker.join();
-    const std::chrono::duration<double> taken = end - start;
+    canceller->Reset();
+    mind.Decide();
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - canceller->start;
+    if (mind.decision.limit != sdk::Limit::kCancelled) state.SkipWithError("it was not cancelled");
     state.SetIterationTime(taken.count());
     micros.Add(taken.count() * 1e6);
   }

@@ -22,7 +22,7 @@ class Hangs : public FaultReasoner {
         decision.limit = sdk::Limit::kInferences;
         return;
       }
-      std::this_thread::sleep_for(std::chrono::microseconds(100));
+      std::this_thread::yield();
     }
   }
 

@@ -189,7 +189,7 @@ class RecordedMapTest : public testing::TestWithParam<std::string> {};
 
 TEST_P(RecordedMapTest, Loads_WithReachableFreeSpace) {
   const std::filesystem::path file = "/usr/share/mrpt/datasets/" + GetParam();
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "mrpt-common is not installed";
+  ASSERT_TRUE(std::filesystem::exists(file)) << "install the package mrpt-common";
   const auto loaded = LoadCells(file, 0.05);
   ASSERT_TRUE(loaded.cells) << loaded.error;
   const FloorMap map(*loaded.cells);
