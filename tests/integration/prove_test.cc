@@ -158,6 +158,15 @@ TEST_F(ProveTest, Includes_AreFoundByOptionThenByVariable) {
   EXPECT_EQ(Shell("unset TPTP; latchwork prove problem.p").exit_code, 3);
 }
 
+TEST_F(ProveTest, Example_IsProvedAndItsProofChecked) {
+  const std::string file = LATCHWORK_SOURCE_DIR "/examples/tptp/way.p";
+  const CommandResult answer = Shell("latchwork prove --answers " + file);
+  EXPECT_EQ(answer.exit_code, 0);
+  EXPECT_THAT(answer.out, HasSubstr("% SZS answers Tuple [[e]|_]"));
+  EXPECT_EQ(Shell("latchwork prove --proof " + file + " | latchwork check-proof " + file).exit_code,
+            0);
+}
+
 TEST_F(ProveTest, Time_IsCpuTime) {
   const CommandResult result = Prove(kEndless, {"--strategy", "goal", "--time", "0.2"});
   EXPECT_EQ(result.exit_code, 1);
