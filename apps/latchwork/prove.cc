@@ -2,12 +2,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <chrono>
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -18,9 +15,11 @@
 #include <vector>
 
 #include "apps/latchwork/command.h"
+#include "apps/latchwork/parameter_options.h"
 #include "apps/latchwork/prove_limits.h"
 #include "apps/latchwork/tptp_input.h"
 #include "reasoners/pttp/failure_explanation.h"
+#include "reasoners/pttp/options.h"
 #include "reasoners/pttp/prover.h"
 #include "reasoners/pttp/schedule.h"
 
@@ -32,12 +31,7 @@ constexpr std::size_t kMostTokens = 200'000'000;
 
 struct ProveSettings {
   TptpInput input{"", "", kMostTokens};
-  double seconds = 10.0;
-  std::size_t memory_mb = 4096;
-  std::uint64_t inferences = std::numeric_limits<std::uint64_t>::max();
-  std::uint32_t depth = 1'000'000;
-  std::string strategy;
-  bool saturation = true;
+  std::vector<sdk::Parameters::Given> options;  ///< Of pttp::ProblemOptions().
   bool proof = false;
   bool answers = false;
   bool statistics = false;
@@ -69,16 +63,11 @@ int RefuseInput(const ProveSettings& settings, const logic::TptpFile& input, Pro
   return kInvalidInput;
 }
 
-pttp::ProverOptions OptionsFor(const ProveSettings& settings, const logic::TptpFile& input) {
-  pttp::ProverOptions options;
-  options.budget.inferences = settings.inferences;
-  options.budget.depth = settings.depth;
-  options.budget.deadline = Guard(settings.seconds);
+pttp::ProverOptions OptionsFor(const ProveSettings& settings, const sdk::Parameters& values,
+                               const logic::TptpFile& input) {
+  pttp::ProverOptions options = pttp::OptionsFrom(values);
+  options.budget.deadline = Guard(options.cpu_seconds);
   options.budget.cancelled = &ProveLimits::cancelled();
-  options.cpu_seconds = settings.seconds;
-  if (settings.memory_mb != 0) options.memory_bytes = settings.memory_mb << 20U;
-  options.strategy = settings.strategy;
-  options.saturation = settings.saturation;
   options.answers = settings.answers || input.asks;
   options.texts = input.texts;
   options.explain = settings.why;
@@ -170,12 +159,14 @@ void AddFailure(const pttp::ProverOptions& options, logic::SymbolTable& symbols,
 }
 
 int RunProve(const ProveSettings& settings) {
-  ProveLimits limits(settings.seconds, settings.memory_mb, settings.input.file);
+  const sdk::Parameters values = Values(pttp::ProblemOptions(), settings.options);
+  ProveLimits limits(values.Real("time"), static_cast<std::size_t>(values.Integer("memory")),
+                     settings.input.file);
   logic::SymbolTable symbols;
   const Keep keep = settings.proof ? Keep::kTexts : Keep::kNothing;
   const logic::TptpFile input = Read(settings.input, symbols, keep);
   if (!input.diagnostics.empty()) return RefuseInput(settings, input, limits);
-  const pttp::ProverOptions options = OptionsFor(settings, input);
+  const pttp::ProverOptions options = OptionsFor(settings, values, input);
   Outcome outcome = Attempt(settings, input, options, symbols);
   limits.Release();
   AddFailure(options, symbols, outcome);
@@ -185,33 +176,13 @@ int RunProve(const ProveSettings& settings) {
   return outcome.proved ? kDone : kGoalNotReached;
 }
 
-std::vector<std::string> StrategyNames() {
-  std::vector<std::string> names;
-  for (const pttp::NamedStrategy& strategy : pttp::Strategies()) names.emplace_back(strategy.name);
-  return names;
-}
-
 std::string StrategyHelp() {
-  std::string help =
-      "Which search to make; without it, a schedule that suits the problem. [C]: complete";
+  std::string help = "Strategies, [C] those that are complete:\n";
   for (const pttp::NamedStrategy& strategy : pttp::Strategies()) {
-    help +=
-        fmt::format("\n  {}{}: {}", strategy.name, strategy.complete ? " [C]" : "", strategy.help);
+    help += fmt::format("  {:<18}{:<4}{}\n", strategy.name, strategy.complete ? "[C]" : "",
+                        strategy.help);
   }
   return help;
-}
-
-void AddLimits(CLI::App& command, ProveSettings& settings) {
-  command
-      .add_option("--time,--cpu-limit", settings.seconds, "CPU seconds to spend, reading included")
-      ->check(CLI::Range(0.001, 1e6))
-      ->capture_default_str();
-  command.add_option("--memory", settings.memory_mb, "MB of memory to use; 0: no limit")
-      ->check(CLI::Range(0U, 1U << 24U))
-      ->capture_default_str();
-  command.add_option("--inferences", settings.inferences, "Inferences to spend");
-  command.add_option("--depth", settings.depth, "Deepest path to search")
-      ->check(CLI::Range(1U, 1'000'000U));
 }
 
 }  // namespace
@@ -223,11 +194,7 @@ void AddProve(CLI::App& app, Context& context) {
   command->add_option("FILE", settings->input.file, "TPTP file; '-' reads standard input")
       ->required();
   AddTptpFolder(*command, settings->input);
-  AddLimits(*command, *settings);
-  command->add_option("--strategy", settings->strategy, StrategyHelp())
-      ->check(CLI::IsMember(StrategyNames()));
-  command->add_flag("!--no-saturation", settings->saturation,
-                    "Schedule connection tableaux only, no superposition");
+  AddParameterOptions(*command, pttp::ProblemOptions(), settings->options, {{"time", "cpu-limit"}});
   command->add_flag("--proof,!--no-proof", settings->proof, "Print the proof in TSTP syntax");
   command->add_flag(
       "--why", settings->why,
@@ -237,7 +204,8 @@ void AddProve(CLI::App& app, Context& context) {
   command->add_flag("--stats", settings->statistics, "Print what the search cost");
   command->add_flag("--json", settings->json, "Print JSON instead of SZS lines");
   command->footer(
-      "One SZS status line comes out, whatever happens.\n"
+      StrategyHelp() +
+      "\nOne SZS status line comes out, whatever happens.\n"
       "Exit codes: 0 Theorem, Unsatisfiable or ContradictoryAxioms; 1 CounterSatisfiable,\n"
       "Satisfiable, or not decided (Timeout, ResourceOut, GaveUp, User, Forced);\n"
       "2 wrong usage; 3 SyntaxError or InputError.");

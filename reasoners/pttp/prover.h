@@ -30,7 +30,7 @@ std::string_view Name(Szs status);
 
 struct ProverOptions {
   sdk::Budget budget;
-  /// CPU seconds of the process, from now on, that the schedule divides among its strategies.
+  /// CPU seconds, from now on, that the schedule divides among its strategies.
   double cpu_seconds = 10.0;
   std::size_t memory_bytes = std::size_t{2} << 30U;
   bool proof = false;    ///< Write the proof down.
@@ -40,7 +40,10 @@ struct ProverOptions {
   bool answers =
       false;  ///< Only strategies that can tell the values of the conjecture's variables.
   bool saturation = true;  ///< False: the schedule has only connection tableaux.
-  std::string strategy;    ///< One of Strategies(); empty: the schedule that suits the problem.
+  std::string strategy;    ///< One of Strategies(); else the schedule that suits the problem.
+  /// How many strategies of the schedule run at the same time, sharing CPU time and memory. With
+  /// more than one it is not determined which of several that would succeed ends the attempt.
+  unsigned threads = 1;
 };
 
 struct ProverResult {

@@ -4,64 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "reasoners/pttp/derivation.h"
+#include "reasoners/pttp/options.h"
 
 namespace latchwork::pttp {
 
-std::span<const sdk::ParameterSpec> PttpReasoner::parameters() const {
-  using Type = sdk::ParameterType;
-  static const std::array<sdk::ParameterSpec, 7> table{{
-      {.name = "unique_names",
-       .type = Type::kBoolean,
-       .default_value = "false",
-       .unit = "",
-       .help = "distinct constants, and compound terms of distinct functions, are unequal",
-       .choices = {}},
-      {.name = "equality_axioms",
-       .type = Type::kBoolean,
-       .default_value = "false",
-       .unit = "",
-       .help = "equations that clauses conclude are used everywhere; else `=` is identity after "
-               "arithmetic",
-       .choices = {}},
-      {.name = "cache_attachments",
-       .type = Type::kBoolean,
-       .default_value = "true",
-       .unit = "",
-       .help = "an attachment is called once per cycle for the same inputs",
-       .choices = {}},
-      {.name = "cache_decisions",
-       .type = Type::kBoolean,
-       .default_value = "true",
-       .unit = "",
-       .help = "what was decided of a goal stands while no fact that it can see changes",
-       .choices = {}},
-      {.name = "tables",
-       .type = Type::kBoolean,
-       .default_value = "true",
-       .unit = "",
-       .help = "goals whose clauses allow it are answered from tables instead of by search",
-       .choices = {}},
-      {.name = "reorder",
-       .type = Type::kBoolean,
-       .default_value = "true",
-       .unit = "",
-       .help = "facts with a bound argument are looked up before rules are followed",
-       .choices = {}},
-      {.name = "consistency_inferences",
-       .type = Type::kInteger,
-       .default_value = "2000",
-       .minimum = 0,
-       .maximum = 1e9,
-       .unit = "",
-       .help =
-           "what a cycle spends on finding that body and latches contradict each other; 0: nothing",
-       .choices = {}},
-  }};
-  return table;
-}
+std::span<const sdk::ParameterSpec> PttpReasoner::parameters() const { return LayerOptions(); }
 
 logic::Diagnostics PttpReasoner::Load(const sdk::Body& body, const sdk::Parameters& parameters,
                                       logic::SymbolTable& symbols) {

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "latchwork/logic/tptp.h"
 #include "reasoners/pttp/prover.h"
@@ -65,6 +66,26 @@ TEST(ScheduleTest, WithoutSaturation_TableauxProveEquationsToo) {
   const ProverResult result = Prove(file.formulas, symbols, "test.p", options);
   EXPECT_EQ(result.status, Szs::kTheorem);
   EXPECT_EQ(FindStrategy(result.strategy)->method, NamedStrategy::Method::kTableau);
+}
+
+TEST(ScheduleTest, OnSeveralThreads_AProofIsFoundAndASearchWithoutOneEnds) {
+  for (const unsigned threads : {2U, 64U}) {
+    logic::SymbolTable symbols;
+    const auto file = logic::ReadTptp(
+        "cnf(a, axiom, p(X, f(X)) | q(X)). cnf(b, axiom, ~ p(X, Y) | q(X)). cnf(c, axiom, ~ q(a)).",
+        "test.p", symbols);
+    ProverOptions options;
+    options.threads = threads;
+    options.proof = true;
+    const ProverResult refuted = Prove(file.formulas, symbols, "test.p", options);
+    EXPECT_EQ(refuted.status, Szs::kUnsatisfiable);
+    EXPECT_FALSE(refuted.proof.empty());
+    const auto consistent = std::vector(file.formulas.begin(), file.formulas.end() - 1);
+    EXPECT_EQ(Prove(consistent, symbols, "test.p", options).status, Szs::kSatisfiable);
+    options.budget.inferences = 1;
+    options.strategy = "complete";
+    EXPECT_EQ(Prove(file.formulas, symbols, "test.p", options).status, Szs::kResourceOut);
+  }
 }
 
 }  // namespace
