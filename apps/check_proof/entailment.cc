@@ -21,6 +21,8 @@ using Kind = Tree::Kind;
 using Literals = std::vector<Literal>;
 
 constexpr std::size_t kMostClauses = 5'000;
+/// More of them are not multiplied out: subformulas get names.
+constexpr std::size_t kMostProducts = 64;
 
 /// Clauses by Skolemization and distribution.
 class Clauses {
@@ -82,7 +84,9 @@ class Clauses {
     for (const Tree& child : tree.children) {
       std::vector<Literals> of_child;
       if (!Expand(child, of_child)) return false;
-      if (product.size() * of_child.size() > kMostClauses) return false;
+      if (of_child.size() > 1 && product.size() * of_child.size() > kMostProducts) {
+        of_child = {{Name(of_child, clauses)}};
+      }
       std::vector<Literals> next;
       for (const Literals& left : product) {
         for (const Literals& right : of_child) {
@@ -94,6 +98,17 @@ class Clauses {
     }
     clauses.insert(clauses.end(), product.begin(), product.end());
     return clauses.size() <= kMostClauses;
+  }
+
+  /// An atom that implies the clauses; that it does is added. What follows from both and has not
+  /// its name in it follows from the clauses.
+  Literal Name(const std::vector<Literals>& named, std::vector<Literals>& clauses) {
+    const logic::Atom name(symbols_.Fresh("checked_"), scope_);
+    for (const Literals& each : named) {
+      clauses.push_back(each);
+      clauses.back().push_back({false, name});
+    }
+    return {true, name};
   }
 
   const Definitions none_;

@@ -169,20 +169,17 @@ std::string TstpPrinter::Definition(std::size_t index) {
   return name;
 }
 
-/// A definition's body may hold names that are defined before it.
-void TstpPrinter::AddDefinitionsOf(const Formula& formula, std::vector<std::string>& parents) {
+std::set<std::size_t> TstpPrinter::DefinitionsOf(const Symbols& predicates) const {
   std::set<std::size_t> found;
-  std::vector<const Formula*> visits{&formula};
+  std::vector<Symbol> visits(predicates.begin(), predicates.end());
   while (!visits.empty()) {
-    const Formula& current = *visits.back();
+    const auto place = definition_of_.find(visits.back());
     visits.pop_back();
-    for (const Symbol predicate : PredicatesOf(current)) {
-      const auto place = definition_of_.find(predicate);
-      if (place == definition_of_.end() || !found.insert(place->second).second) continue;
-      visits.push_back(&sources_.origins.definitions[place->second].formula);
-    }
+    if (place == definition_of_.end() || !found.insert(place->second).second) continue;
+    const Symbols inner = PredicatesOf(sources_.origins.definitions[place->second].formula);
+    visits.insert(visits.end(), inner.begin(), inner.end());
   }
-  for (const std::size_t index : found) parents.push_back(Definition(index));
+  return found;
 }
 
 std::string TstpPrinter::NormalForm(std::size_t index) {
@@ -194,11 +191,25 @@ std::string TstpPrinter::NormalForm(std::size_t index) {
     parents.push_back(Definition(form.definition));
   } else {
     parents.push_back(FormulaParent(form.formula));
-    AddDefinitionsOf(form.normal, parents);
+    for (const std::size_t each : DefinitionsOf(PredicatesOf(form.normal)))
+      parents.push_back(Definition(each));
   }
   name = Line("fof", "normal_form", "plain", ToString(form.normal, form.normal_names),
               Inference("normalize", "thm", parents));
   return name;
+}
+
+std::vector<std::string> TstpPrinter::ParentsOf(const Clause& clause, std::size_t index) {
+  const ClauseOrigins::NormalForm& form = sources_.origins.normal_forms[index];
+  Symbols names;
+  for (const logic::Literal& literal : clause.literals) names.insert(literal.atom.predicate());
+  const std::set<std::size_t> definitions = DefinitionsOf(names);
+  const bool is_direct = form.skolem_functions.empty() && form.definition == ClauseOrigins::kNone &&
+                         definitions.size() < DefinitionsOf(PredicatesOf(form.normal)).size();
+  if (!is_direct) return {Skolemized(index)};
+  std::vector<std::string> parents{FormulaParent(form.formula)};
+  for (const std::size_t each : definitions) parents.push_back(Definition(each));
+  return parents;
 }
 
 std::string TstpPrinter::Skolemized(std::size_t index) {
@@ -234,7 +245,7 @@ std::string TstpPrinter::Input(const Clause& clause) {
   std::vector<std::string> parents;
   const std::size_t formula = FormulaOf(clause);
   if (const auto form = form_of_.find(text); form != form_of_.end()) {
-    parents.push_back(Skolemized(form->second));
+    parents = ParentsOf(clause, form->second);
   } else if (formula == ClauseOrigins::kNone) {
     name = Tautology(text);
     return name;

@@ -61,7 +61,11 @@ class TstpPrinter {
   std::string NormalForm(std::size_t form);
   std::string Skolemized(std::size_t form);
   std::string FormulaParent(std::size_t formula);
-  void AddDefinitionsOf(const logic::Formula& formula, std::vector<std::string>& parents);
+  /// Of the names among the predicates and, in turn, in their definitions.
+  std::set<std::size_t> DefinitionsOf(const Symbols& predicates) const;
+  /// What a clause of a normal form follows from: the formula itself where no Skolem function is
+  /// between them and that saves definitions.
+  std::vector<std::string> ParentsOf(const logic::Clause& clause, std::size_t form);
   std::size_t FormulaOf(const logic::Clause& clause) const;
 
   ProofSources sources_;

@@ -2,6 +2,7 @@
 //
 // A proof that the command prints is accepted by the command that checks it; what was changed in it
 // is found.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,6 +19,7 @@ namespace latchwork::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr int kVerified = 0;
 constexpr int kUnchecked = 1;
@@ -83,6 +85,19 @@ TEST_F(CheckProofTest, ProofsOfTheCommand_AreVerified) {
     EXPECT_EQ(result.exit_code, kVerified) << proof << result.out << result.err;
     EXPECT_THAT(result.out, HasSubstr("verified: "));
   }
+}
+
+TEST_F(CheckProofTest, ClausesOfLargeFormulas_NeedOnlyTheirOwnDefinitions) {
+  std::string pairs = "(X = c0 & Y = c1)";
+  for (int i = 1; i < 60; ++i) pairs += fmt::format(" | (X = c{} & Y = c{})", i, i + 1);
+  const std::string proof =
+      Prove(fmt::format("fof(edges, axiom, ![X, Y] : (edge(X, Y) <=> ({}))).\n"
+                        "fof(goal, conjecture, edge(c40, c41)).\n",
+                        pairs));
+  EXPECT_THAT(proof, HasSubstr("[edges,definition_1]"));
+  EXPECT_THAT(proof, Not(HasSubstr("definition_2")));
+  const CommandResult result = Check(proof);
+  EXPECT_EQ(result.exit_code, kVerified) << result.err;
 }
 
 TEST_F(CheckProofTest, DefinitionsOfLargeFormulas_AreVerified) {
