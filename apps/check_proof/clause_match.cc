@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/check_proof/clause_match.h"
 
+#include <algorithm>
 #include <map>
 
 namespace latchwork::check_proof {
@@ -67,15 +68,15 @@ class Matcher {
   }
 
   bool CoverLiteral(const Literal& literal, const Task* rest) {
-    for (const Literal& target : clause_) {
+    return std::any_of(clause_.begin(), clause_.end(), [&](const Literal& target) {
       if (literal.positive != target.positive || NameOf(literal.atom) != NameOf(target.atom)) {
-        continue;
+        return false;
       }
       const std::size_t mark = bound_.size();
       if (Match(literal, target) && Cover(rest)) return true;
       Undo(mark);
-    }
-    return false;
+      return false;
+    });
   }
 
   bool Match(const Literal& literal, const Literal& target) {

@@ -9,7 +9,6 @@
 namespace latchwork::check_proof {
 namespace {
 
-using logic::Atom;
 using logic::Symbol;
 using logic::Term;
 using logic::Variable;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <ctime>
 #include <new>
@@ -19,21 +20,24 @@ namespace latchwork::app {
 namespace {
 
 constexpr std::array kSignals{SIGXCPU, SIGALRM, SIGTERM, SIGINT};
-constexpr long kGraceNanoseconds = 200'000'000;
+constexpr std::int64_t kGraceNanoseconds = 200'000'000;
 constexpr std::size_t kWordLength = 32;
 
-// What a signal handler may touch: lock-free atomics and memory that is written before.
+// What a signal handler may touch: lock-free atomics and memory that is written before. A handler
+// is given nothing, so these are the process's, and hidden here.
+// NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables)
 std::atomic<bool> is_cancelled = false;
 std::atomic<const char*> stopped_by = nullptr;
 std::atomic<bool> is_written = false;
 std::array<char, 4096> file_name{};
 timer_t timer{};
+// NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
 void ArmTimer(double seconds) {
   itimerspec when{};
   const double whole = std::floor(seconds);
   when.it_value.tv_sec = static_cast<std::time_t>(whole);
-  when.it_value.tv_nsec = static_cast<long>((seconds - whole) * 1e9);
+  when.it_value.tv_nsec = static_cast<std::int64_t>((seconds - whole) * 1e9);
   when.it_interval.tv_nsec = kGraceNanoseconds;
   timer_settime(timer, TIMER_ABSTIME, &when, nullptr);
 }
