@@ -17,20 +17,23 @@ inline std::size_t& Allocations() {
 
 }  // namespace latchwork::test
 
-// Replacements of operator new may not be inline.
+// Replacements of operator new may not be inline. Where a compiler expands only one of a pair of
+// calls, it would warn of a mismatch.
 // NOLINTBEGIN(misc-definitions-in-headers)
-void* operator new(std::size_t size) {
+[[gnu::noinline]] void* operator new(std::size_t size) {
   ++latchwork::test::Allocations();
   if (void* memory = std::malloc(size); memory != nullptr) return memory;
   throw std::bad_alloc();
 }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++latchwork::test::Allocations();
   return std::malloc(size);
 }
-void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, const std::nothrow_t&) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 // NOLINTEND(misc-definitions-in-headers)
 
 #endif  // LATCHWORK_TESTS_COUNTED_ALLOCATIONS_H_

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <xercesc/framework/MemBufInputSource.hpp>
 #include <xercesc/framework/XMLGrammarPoolImpl.hpp>
@@ -234,7 +235,8 @@ bool Parse(std::string_view text, xml::XMLGrammarPool* pool, TreeBuilder& builde
   return false;
 }
 
-/// A schema, ready to validate any number of texts, from any thread.
+/// A schema, ready to validate any number of texts, one at a time: the first element of each type
+/// completes what is known of the type, although the pool is locked.
 class Grammar {
  public:
   explicit Grammar(std::string_view schema) {
@@ -251,10 +253,12 @@ class Grammar {
 
   xml::XMLGrammarPool* pool() const { return pool_.get(); }
   const SchemaIndex& index() const { return index_; }
+  std::mutex& mutex() const { return mutex_; }  ///< To be held while a text is validated.
 
  private:
   std::unique_ptr<xml::XMLGrammarPoolImpl> pool_;
   SchemaIndex index_;
+  mutable std::mutex mutex_;
 };
 
 /// Null for no schema. That of agent files is made once.
@@ -266,20 +270,28 @@ std::shared_ptr<const Grammar> MakeGrammar(std::string_view schema) {
   return grammar;
 }
 
-}  // namespace
-}  // namespace latchwork::config
-
-extern "C" void latchwork_parse_xml(latchwork::config::XmlFile& file, std::string_view name,
-                                    std::string_view schema) {
-  using namespace latchwork::config;
+void Read(XmlFile& file, std::string_view name, std::string_view schema) {
   std::string_view text = file.bytes;
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const auto grammar = MakeGrammar(schema);
   TreeBuilder builder(text, name);
-  file.complete = Parse(text, grammar == nullptr ? nullptr : grammar->pool(), builder);
+  if (grammar == nullptr) {
+    file.complete = Parse(text, nullptr, builder);
+  } else {
+    const std::lock_guard lock(grammar->mutex());
+    file.complete = Parse(text, grammar->pool(), builder);
+  }
   file.root = std::move(builder.root);
   if (!builder.complaints.empty() && grammar != nullptr) {
     file.diagnostics = Explain(file.root, grammar->index(), builder.complaints);
   }
   for (auto& diagnostic : builder.diagnostics) file.diagnostics.push_back(std::move(diagnostic));
+}
+
+}  // namespace
+}  // namespace latchwork::config
+
+extern "C" void latchwork_parse_xml(latchwork::config::XmlFile& file, std::string_view name,
+                                    std::string_view schema) {
+  latchwork::config::Read(file, name, schema);
 }

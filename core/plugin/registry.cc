@@ -53,6 +53,7 @@ void MarkAmbiguous(std::vector<PluginEntry>& plugins) {
 std::string AmbiguousText(sdk::PluginKind kind, std::string_view name,
                           const std::vector<const PluginEntry*>& candidates) {
   std::vector<std::string> files;
+  files.reserve(candidates.size());
   for (const PluginEntry* candidate : candidates) files.push_back(candidate->file.string());
   return fmt::format(
       "the {} plugin '{}' is ambiguous: {} are of that name; take all but one out of the "

@@ -4,13 +4,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
 #include "latchwork/config/agent.h"
 
 namespace latchwork::config {
 namespace {
 
+using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::UnorderedElementsAre;
 
 std::vector<std::string> Errors(std::string_view text) {
@@ -26,6 +34,19 @@ std::vector<std::string> Errors(std::string_view text) {
 
 std::string Agent(std::string_view content) {
   return "<agent format=\"1\" name=\"a\" duration=\"1s\">\n" + std::string(content) + "\n</agent>";
+}
+
+/// Where a sanitizer watches, this also tells whether what the threads share is shared well; the
+/// first test, since what is shared is completed by the first texts.
+TEST(XmlTest, AnyNumberOfThreadsReadAtTheSameTime) {
+  const std::string text = Agent("<event at=\"1s\" fact=\"p\"/><event at=\"1s\"/><wrld/>");
+  std::vector<std::vector<std::string>> errors(4);
+  {
+    std::vector<std::jthread> threads;
+    for (auto& each : errors) threads.emplace_back([&each, &text] { each = Errors(text); });
+  }
+  EXPECT_THAT(errors.front(), Not(IsEmpty()));
+  EXPECT_THAT(errors, Each(errors.front()));
 }
 
 TEST(XmlTest, KeepsPlacesOfElementsAndValues) {
