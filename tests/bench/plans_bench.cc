@@ -78,8 +78,10 @@ void LatchUpdate(benchmark::State& state) {
   Engine engine(symbols, {});
   const logic::Symbol reading = symbols.Intern("sonar_reading");
   const std::size_t source = engine.AddSource("sonar");
+  constexpr int kFacts = 100;
   std::vector<logic::Fact> facts;
-  for (int i = 0; i < 100; ++i) {
+  facts.reserve(kFacts);
+  for (int i = 0; i < kFacts; ++i) {
     facts.push_back({reading, {logic::Term::Integer(i), logic::Term::Real(0.5 * i)}});
   }
   double change = 0;

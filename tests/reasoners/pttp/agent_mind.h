@@ -72,8 +72,9 @@ class AgentMind {
 
   /// Fills a latch, adding it when it is new.
   void Latch(std::size_t index, const std::vector<std::string>& facts) {
-    while (latches.size() <= index)
+    while (latches.size() <= index) {
       latches.push_back({"latch" + std::to_string(latches.size()), {}, 0});
+    }
     latches[index].facts.clear();
     for (const std::string& fact : facts) latches[index].facts.push_back(Atom(fact));
     latches[index].version = ++version_;

@@ -83,6 +83,7 @@ inline void LoadAvoid(AgentMind& mind) {
   mind.Goal("halt");
   mind.Load();
   std::vector<std::string> directions;
+  directions.reserve(kSonars);
   for (int i = 0; i < kSonars; ++i) {
     directions.push_back("sonar_direction(" + std::to_string(i) + ", " +
                          std::to_string(0.3926990817 * i - 3.0) + ")");
