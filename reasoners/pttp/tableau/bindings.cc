@@ -4,17 +4,16 @@
 namespace latchwork::pttp {
 
 bool Bindings::Occurs(std::uint32_t variable, Instance term) {
-  visits_.clear();
-  visits_.push_back(term);
+  visits_.Truncate(0);
+  visits_.Push(term);
   while (!visits_.empty()) {
-    const Instance current = visits_.back();
-    visits_.pop_back();
+    const Instance current = visits_.Pop();
     const Cell* block = cells_ + OffsetOfCell(current.cell);
     if (!Spend(block[1])) return true;
     for (std::uint32_t i = block[1]; i > 0; --i) {
       const Instance argument = Resolve({block[1 + i], current.base});
       if (TagOfCell(argument.cell) == kOpenTag) {
-        visits_.push_back(argument);
+        visits_.Push(argument);
       } else if (TagOfCell(argument.cell) == kVariableTag && VariableOf(argument) == variable) {
         return true;
       }
@@ -26,11 +25,10 @@ bool Bindings::Occurs(std::uint32_t variable, Instance term) {
 /// Goes through two compound terms side by side; `agree` decides where one of them is none.
 template <typename Agree>
 bool Bindings::AgreeBelow(Instance a, Instance b, const Agree& agree) {
-  pairs_.clear();
-  pairs_.emplace_back(a, b);
+  pairs_.Truncate(0);
+  pairs_.Push({a, b});
   while (!pairs_.empty()) {
-    const auto [left, right] = pairs_.back();
-    pairs_.pop_back();
+    const auto [left, right] = pairs_.Pop();
     const Cell* x = cells_ + OffsetOfCell(left.cell);
     const Cell* y = cells_ + OffsetOfCell(right.cell);
     if (x[0] != y[0] || !Spend(x[1])) return false;
@@ -43,7 +41,7 @@ bool Bindings::AgreeBelow(Instance a, Instance b, const Agree& agree) {
       } else if (p_ground && TagOfCell(q.cell) == kGroundTag) {
         if (p.cell != q.cell) return false;
       } else if (p.cell != q.cell || p.base != q.base) {
-        pairs_.emplace_back(p, q);
+        pairs_.Push({p, q});
       }
     }
   }

@@ -3,23 +3,17 @@
 #define LATCHWORK_PTTP_TABLEAU_BINDINGS_H_
 
 #include <cstdint>
-#include <utility>
-#include <vector>
 
+#include "reasoners/pttp/tableau/fingerprint.h"
 #include "reasoners/pttp/tableau/grow_stack.h"
 #include "reasoners/pttp/tableau/matrix.h"
 
 namespace latchwork::pttp {
 
-/// An instance of a term of the matrix: its cell and where its clause's variables begin.
-struct Instance {
-  Cell cell = 0;
-  std::uint32_t base = 0;
-};
-
-/// The variables of all clause copies of a tableau, by number. Terms are never copied: a variable
-/// is bound to a cell of the matrix and the copy that the cell belongs to (Boyer and Moore, "The
-/// sharing of structure in theorem-proving programs", 1972).
+/// The variables of all clause copies of a tableau, by number, and between them the arguments of
+/// its goals. Terms are never copied: a variable is bound to a cell of the matrix and the copy that
+/// the cell belongs to (Boyer and Moore, "The sharing of structure in theorem-proving programs",
+/// 1972).
 class Bindings {
  public:
   explicit Bindings(const Matrix& matrix) : cells_(matrix.cells()) {}
@@ -30,16 +24,32 @@ class Bindings {
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(values_.size()); }
   std::uint32_t trail_size() const { return static_cast<std::uint32_t>(trail_.size()); }
-  std::size_t bytes() const { return values_.bytes() + trail_.bytes(); }
+  std::size_t bytes() const { return values_.bytes() + trail_.bytes() + visits_.bytes(); }
 
-  /// The variables of one more copy of a clause.
+  /// The variables of one more copy of a clause. Before them it is kept whether a term with any of
+  /// them was the value of a variable.
   std::uint32_t Allocate(std::uint32_t slots) {
-    const std::uint32_t base = size();
-    Instance* fresh = values_.Extend(slots);
-    for (std::uint32_t i = 0; i < slots; ++i) fresh[i] = {};
-    return base;
+    Instance* fresh = values_.Extend(slots + 1);
+    for (std::uint32_t i = 0; i <= slots; ++i) fresh[i] = {};
+    return size() - slots;
   }
-  /// Undoes bindings down to `trail`, then forgets copies from `variables` on.
+  /// Puts the arguments of a goal on top, as they are now.
+  Fingerprint PushArguments(const MatrixLiteral& goal, std::uint32_t base) {
+    Instance* arguments = values_.Extend(goal.arity);
+    const Cell* cells = cells_ + goal.arguments;
+    for (std::uint32_t i = 0; i < goal.arity; ++i) arguments[i] = {cells[i], base};
+    Fingerprint print = goal.print;
+    for (std::uint32_t i = 0; i < goal.probe_count; ++i) {
+      const Probe probe = goal.probes[i];
+      const Instance term = Resolve({probe.variable, base});
+      if (probe.argument != Probe::kNone) arguments[probe.argument] = term;
+      if (TagOfCell(term.cell) == kVariableTag || probe.place == Fingerprint::kPlaces) continue;
+      print.Set(probe.place, FunctorOfCell(cells_, term.cell));
+      if (probe.below != Fingerprint::kPlaces) LookBelow(term, probe.below, print);
+    }
+    return print;
+  }
+  /// Undoes bindings down to `trail`, then forgets copies and goals from `variables` on.
   void UndoTo(std::uint32_t trail, std::uint32_t variables) {
     while (trail_.size() > trail) values_[trail_.Pop()] = {};
     values_.Truncate(variables);
@@ -56,77 +66,102 @@ class Bindings {
 
   Instance Resolve(Instance term) const {
     while (TagOfCell(term.cell) == kVariableTag) {
-      const Instance next = values_[term.base + SlotOfCell(term.cell)];
+      const Instance next = values_[VariableOf(term)];
       if (next.cell == 0) return term;
       term = next;
     }
     return term;
   }
-  /// What a term demands of one that it is to be unified with: its functor; 0: nothing.
-  std::uint32_t KeyOf(Instance term) const {
-    term = Resolve(term);
-    switch (TagOfCell(term.cell)) {
-      case kVariableTag:
-        return 0;
-      case kConstantTag:
-        return OffsetOfCell(term.cell);
-      default:
-        return cells_[OffsetOfCell(term.cell)];
-    }
-  }
 
-  /// Unifies two lists of arguments. Bindings made before a failure stay. `safe`: no variable can
-  /// become part of its own value.
-  bool Unify(const Cell* left, std::uint32_t left_base, const Cell* right, std::uint32_t right_base,
-             std::uint32_t count, bool safe) {
-    safe_ = safe;
+  /// Unifies a head, whose copy is at `base`, with the pushed arguments of a goal. Bindings made
+  /// before a failure stay.
+  bool UnifyHead(const HeadArgument* head, std::uint32_t base, std::uint32_t goal,
+                 std::uint32_t count) {
     work_ = 0;
-    old_leads_on_ = fresh_leads_on_ = false;
     for (std::uint32_t i = 0; i < count; ++i) {
-      if (!UnifyTerms({left[i], left_base}, {right[i], right_base})) return false;
+      if (!UnifyArgument(head[i], base, values_[goal + i])) return false;
     }
     return true;
   }
-  bool Identical(const Cell* left, std::uint32_t left_base, const Cell* right,
-                 std::uint32_t right_base, std::uint32_t count) {
+  /// The same of two goals.
+  bool UnifyGoals(std::uint32_t left, std::uint32_t right, std::uint32_t count) {
+    work_ = 0;
+    safe_ = false;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (!UnifyTerms(values_[left + i], values_[right + i])) return false;
+    }
+    return true;
+  }
+  bool Identical(std::uint32_t left, std::uint32_t right, std::uint32_t count) {
     work_ = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
-      if (!SameTerms({left[i], left_base}, {right[i], right_base})) return false;
+      if (!SameTerms(values_[left + i], values_[right + i])) return false;
     }
     return true;
   }
 
  private:
-  static std::uint32_t VariableOf(Instance term) { return term.base + SlotOfCell(term.cell); }
+  struct Pair {
+    Instance left;
+    Instance right;
+  };
 
-  void Bind(std::uint32_t variable, Instance value) {
-    const bool leads_on =
-        TagOfCell(value.cell) == kOpenTag || TagOfCell(value.cell) == kVariableTag;
-    values_[variable] = value;
-    if (variable < mark_) {
-      trail_.Push(variable);
-      old_leads_on_ = old_leads_on_ || leads_on;
-    } else {
-      fresh_leads_on_ = fresh_leads_on_ || leads_on;
+  static std::uint32_t VariableOf(Instance term) { return term.base + SlotOfCell(term.cell); }
+  static bool IsOpen(Instance term) {
+    return TagOfCell(term.cell) == kOpenTag || TagOfCell(term.cell) == kVariableTag;
+  }
+
+  void LookBelow(Instance term, std::uint32_t place, Fingerprint& print) const {
+    if (TagOfCell(term.cell) == kConstantTag) return;
+    const Cell* block = cells_ + OffsetOfCell(term.cell);
+    const std::uint32_t count = block[1] < Fingerprint::kBelow ? block[1] : Fingerprint::kBelow;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Instance argument = Resolve({block[2 + i], term.base});
+      if (TagOfCell(argument.cell) == kVariableTag) continue;
+      print.Set(place + i, FunctorOfCell(cells_, argument.cell));
     }
   }
-  /// Whether a variable may occur in a term: between the goal's variables and those of the new
-  /// copy there is no way until one of the other side has been bound to something with variables.
-  bool MayOccur(std::uint32_t variable, Instance value) const {
-    if (safe_ || TagOfCell(value.cell) != kOpenTag) return false;
-    if (variable >= mark_) return value.base >= mark_ || old_leads_on_;
-    return value.base < mark_ || fresh_leads_on_;
+  /// Gives a variable that needs no trail its value.
+  void Assign(std::uint32_t variable, Instance value) {
+    values_[variable] = value;
+    if (IsOpen(value)) values_[value.base - 1].cell = 1;
   }
-  bool BindChecked(std::uint32_t variable, Instance value) {
-    if (MayOccur(variable, value) && Occurs(variable, value)) return false;
-    Bind(variable, value);
+  void Bind(std::uint32_t variable, Instance value) {
+    Assign(variable, value);
+    if (variable < mark_) trail_.Push(variable);
+  }
+  bool UnifyArgument(HeadArgument head, std::uint32_t base, Instance goal) {
+    if (head.step == HeadStep::kFirst) {
+      Assign(base + SlotOfCell(head.cell), goal);
+      return true;
+    }
+    goal = Resolve(goal);
+    if (head.step == HeadStep::kAtomic) {
+      if (goal.cell == head.cell) return true;
+      if (TagOfCell(goal.cell) == kVariableTag) {
+        Bind(VariableOf(goal), {head.cell, base});
+        return true;
+      }
+      if (TagOfCell(goal.cell) != kOpenTag || TagOfCell(head.cell) == kConstantTag) return false;
+    }
+    safe_ = head.step != HeadStep::kAny;
+    return UnifyTerms({head.cell, base}, goal);
+  }
+  /// Whether a variable may occur in a term: not if no term but this has variables of its copy.
+  bool MayOccur(Instance variable, Instance value) const {
+    return !safe_ && TagOfCell(value.cell) == kOpenTag &&
+           (value.base == variable.base || values_[variable.base - 1].cell != 0);
+  }
+  bool BindChecked(Instance variable, Instance value) {
+    if (MayOccur(variable, value) && Occurs(VariableOf(variable), value)) return false;
+    Bind(VariableOf(variable), value);
     return true;
   }
   bool UnifyTerms(Instance a, Instance b) {
     a = Resolve(a);
     b = Resolve(b);
     if (TagOfCell(a.cell) == kVariableTag) {
-      if (TagOfCell(b.cell) != kVariableTag) return BindChecked(VariableOf(a), b);
+      if (TagOfCell(b.cell) != kVariableTag) return BindChecked(a, b);
       const std::uint32_t x = VariableOf(a);
       const std::uint32_t y = VariableOf(b);
       if (x > y) {
@@ -136,25 +171,25 @@ class Bindings {
       }
       return true;
     }
-    if (TagOfCell(b.cell) == kVariableTag) return BindChecked(VariableOf(b), a);
-    if (a.cell == b.cell && (TagOfCell(a.cell) != kOpenTag || a.base == b.base)) return true;
-    if (TagOfCell(a.cell) == kConstantTag || TagOfCell(b.cell) == kConstantTag) return false;
-    if (TagOfCell(a.cell) == kGroundTag && TagOfCell(b.cell) == kGroundTag) return false;
-    return UnifyCompounds(a, b);
+    if (TagOfCell(b.cell) == kVariableTag) return BindChecked(b, a);
+    if (SamePlace(a, b)) return true;
+    return !DifferAtOnce(a, b) && UnifyCompounds(a, b);
   }
   bool SameTerms(Instance a, Instance b) {
+    if (SamePlace(a, b)) return true;
     a = Resolve(a);
     b = Resolve(b);
-    if (a.cell == b.cell && (a.base == b.base || TagOfCell(a.cell) == kConstantTag ||
-                             TagOfCell(a.cell) == kGroundTag)) {
-      return true;
-    }
-    if (TagOfCell(a.cell) == kVariableTag || TagOfCell(b.cell) == kVariableTag) {
-      return TagOfCell(a.cell) == TagOfCell(b.cell) && VariableOf(a) == VariableOf(b);
-    }
-    if (TagOfCell(a.cell) == kConstantTag || TagOfCell(b.cell) == kConstantTag) return false;
-    if (TagOfCell(a.cell) == kGroundTag && TagOfCell(b.cell) == kGroundTag) return false;
-    return SameCompounds(a, b);
+    if (SamePlace(a, b)) return true;
+    if (TagOfCell(a.cell) == kVariableTag || TagOfCell(b.cell) == kVariableTag) return false;
+    return !DifferAtOnce(a, b) && SameCompounds(a, b);
+  }
+  static bool SamePlace(Instance a, Instance b) {
+    return a.cell == b.cell && (a.base == b.base || !IsOpen(a));
+  }
+  /// Of two terms in different places that are no variables.
+  static bool DifferAtOnce(Instance a, Instance b) {
+    return (TagOfCell(a.cell) & TagOfCell(b.cell) & 1U) != 0 ||
+           TagOfCell(a.cell) == kConstantTag || TagOfCell(b.cell) == kConstantTag;
   }
   /// Whether one comparison may go on. Terms that share their parts can be exponentially larger
   /// than what they are written with.
@@ -176,10 +211,8 @@ class Bindings {
   bool safe_ = false;
   bool gave_up_ = false;
   std::uint64_t work_ = 0;
-  bool old_leads_on_ = false;    ///< A variable below the mark was bound to variables.
-  bool fresh_leads_on_ = false;  ///< A variable from the mark on was.
-  std::vector<std::pair<Instance, Instance>> pairs_;
-  std::vector<Instance> visits_;
+  GrowStack<Pair> pairs_;
+  GrowStack<Instance> visits_;
 };
 
 }  // namespace latchwork::pttp

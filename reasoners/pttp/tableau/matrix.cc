@@ -123,8 +123,8 @@ Matrix::Matrix(std::span<const Clause> clauses, const Strategy& strategy) {
     clauses_.push_back(range);
   }
   keys_ = 2 * static_cast<std::uint32_t>(predicates.size());
+  AddProbes();
   AddEntries(strategy);
-  connections_.resize(literals_.size());
   ChooseStarts(clauses, strategy);
 }
 
@@ -133,13 +133,13 @@ std::uint32_t Matrix::AddEntry(const ClauseRange& clause, std::uint32_t head,
   Entry entry;
   entry.head = head;
   entry.slots = clause.slots;
-  entry.ground = clause.ground;
   entry.clause = static_cast<std::uint32_t>(&clause - clauses_.data());
   entry.body = static_cast<std::uint32_t>(bodies_.size());
   for (std::uint32_t i = 0; i < clause.count; ++i) {
     if (clause.first + i != head) bodies_.push_back(clause.first + i);
   }
-  entry.size = static_cast<std::uint32_t>(bodies_.size()) - entry.body;
+  entry.unit = bodies_.size() == entry.body;
+  entry.free = entry.unit || clause.ground;
   const auto begin = bodies_.begin() + entry.body;
   if (strategy.order == BodyOrder::kReversed) std::reverse(begin, bodies_.end());
   if (strategy.order == BodyOrder::kFewest) {
@@ -147,7 +147,8 @@ std::uint32_t Matrix::AddEntry(const ClauseRange& clause, std::uint32_t head,
       return ways_[literals_[a].key ^ 1U] < ways_[literals_[b].key ^ 1U];
     });
   }
-  if (head != kNoHead) entry.linear = IsLinear(literals_[head], clause.slots);
+  bodies_.push_back(kBodyEnd);
+  if (head != kNoHead) AddHeadArguments(entry);
   entries_.push_back(entry);
   return static_cast<std::uint32_t>(entries_.size() - 1);
 }
@@ -164,37 +165,99 @@ void Matrix::AddEntries(const Strategy& strategy) {
   }
   for (auto& entries : entries_of_key_) {
     std::stable_sort(entries.begin(), entries.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return entries_[a].size < entries_[b].size;
+      return clauses_[entries_[a].clause].count < clauses_[entries_[b].clause].count;
     });
   }
 }
 
-bool Matrix::IsLinear(const MatrixLiteral& literal, std::uint32_t slots) const {
-  std::vector<bool> seen(slots, false);
-  std::vector<Cell> visits(cells_.begin() + literal.arguments,
-                           cells_.begin() + literal.arguments + literal.arity);
+/// Whether no variable of an argument occurs in `seen` or twice in itself; they are added to it.
+bool Matrix::TakesNewOnly(Cell argument, std::vector<bool>& seen) const {
+  bool all_new = true;
+  std::vector<Cell> visits{argument};
   while (!visits.empty()) {
     const Cell cell = visits.back();
     visits.pop_back();
     if (TagOfCell(cell) == kVariableTag) {
-      if (seen[SlotOfCell(cell)]) return false;
+      all_new = all_new && !seen[SlotOfCell(cell)];
       seen[SlotOfCell(cell)] = true;
     } else if (TagOfCell(cell) == kOpenTag) {
       const auto block = cells_.begin() + OffsetOfCell(cell);
       visits.insert(visits.end(), block + 2, block + 2 + block[1]);
     }
   }
-  return true;
+  return all_new;
 }
 
-std::uint32_t Matrix::KeyOf(Cell cell) const {
-  switch (TagOfCell(cell)) {
-    case kVariableTag:
-      return 0;
-    case kConstantTag:
-      return OffsetOfCell(cell);
-    default:
-      return cells_[OffsetOfCell(cell)];
+void Matrix::AddHeadArguments(Entry& entry) {
+  entry.arguments = static_cast<std::uint32_t>(head_arguments_.size());
+  std::vector<bool> seen(entry.slots, false);
+  const MatrixLiteral& head = literals_[entry.head];
+  for (std::uint32_t i = 0; i < head.arity; ++i) {
+    const Cell cell = cells_[head.arguments + i];
+    const bool all_new = TakesNewOnly(cell, seen);
+    HeadStep step = all_new ? HeadStep::kNew : HeadStep::kAny;
+    if (TagOfCell(cell) == kVariableTag && all_new) step = HeadStep::kFirst;
+    if (TagOfCell(cell) == kConstantTag || TagOfCell(cell) == kGroundTag) step = HeadStep::kAtomic;
+    head_arguments_.push_back({cell, step});
+  }
+}
+
+Fingerprint Matrix::FingerprintOf(const MatrixLiteral& literal) const {
+  Fingerprint print;
+  for (std::uint32_t i = 0; i < std::min(literal.arity, Fingerprint::kPlaces); ++i) {
+    const Cell cell = cells_[literal.arguments + i];
+    if (TagOfCell(cell) == kVariableTag) continue;
+    print.Set(i, FunctorOfCell(cells(), cell));
+    const std::uint32_t below = Fingerprint::PlaceBelow(literal.arity, i);
+    if (TagOfCell(cell) == kConstantTag || below == Fingerprint::kPlaces) continue;
+    const Cell* block = cells() + OffsetOfCell(cell);
+    for (std::uint32_t j = 0; j < std::min(block[1], Fingerprint::kBelow); ++j) {
+      if (TagOfCell(block[2 + j]) == kVariableTag) continue;
+      print.Set(below + j, FunctorOfCell(cells(), block[2 + j]));
+    }
+  }
+  return print;
+}
+
+/// Goals of a predicate and sign look below those arguments below which some head has a functor.
+void Matrix::AddProbes() {
+  std::vector<std::uint64_t> known(keys_, 0);
+  for (const MatrixLiteral& head : literals_) known[head.key ^ 1U] |= FingerprintOf(head).known();
+  std::vector<std::size_t> begins;
+  for (MatrixLiteral& literal : literals_) {
+    std::uint64_t places = known[literal.key];
+    for (std::uint32_t i = 0; i < std::min(literal.arity, Fingerprint::kPlaces); ++i) {
+      places |= Fingerprint::Bytes(i, 1);
+      const std::uint32_t below = Fingerprint::PlaceBelow(literal.arity, i);
+      const std::uint64_t both = Fingerprint::Bytes(below, Fingerprint::kBelow);
+      if ((places & both) != 0) places |= both;
+    }
+    literal.print = FingerprintOf(literal);
+    literal.print.Keep(places);
+    begins.push_back(probes_.size());
+    AddProbes(literal, places);
+    literal.probe_count = static_cast<std::uint32_t>(probes_.size() - begins.back());
+  }
+  for (std::size_t i = 0; i < literals_.size(); ++i) literals_[i].probes = probes_.data() + begins[i];
+}
+
+void Matrix::AddProbes(const MatrixLiteral& literal, std::uint64_t places) {
+  for (std::uint32_t i = 0; i < literal.arity; ++i) {
+    const Cell cell = cells_[literal.arguments + i];
+    std::uint32_t below = Fingerprint::PlaceBelow(literal.arity, i);
+    if ((places & Fingerprint::Bytes(below, 1)) == 0) below = Fingerprint::kPlaces;
+    if (TagOfCell(cell) == kVariableTag) {
+      probes_.push_back({cell, static_cast<std::uint16_t>(i),
+                         static_cast<std::uint8_t>(std::min(i, Fingerprint::kPlaces)),
+                         static_cast<std::uint8_t>(below)});
+    } else if (TagOfCell(cell) == kOpenTag && below != Fingerprint::kPlaces) {
+      const Cell* block = cells() + OffsetOfCell(cell);
+      for (std::uint32_t j = 0; j < std::min(block[1], Fingerprint::kBelow); ++j) {
+        if (TagOfCell(block[2 + j]) != kVariableTag) continue;
+        probes_.push_back({block[2 + j], Probe::kNone, static_cast<std::uint8_t>(below + j),
+                           Fingerprint::kPlaces});
+      }
+    }
   }
 }
 
@@ -207,8 +270,8 @@ bool Matrix::CanConnect(const MatrixLiteral& goal, const MatrixLiteral& head) co
   while (!visits.empty()) {
     const auto [a, b] = visits.back();
     visits.pop_back();
-    if (a == b || KeyOf(a) == 0 || KeyOf(b) == 0) continue;
-    if (KeyOf(a) != KeyOf(b)) return false;
+    if (a == b || TagOfCell(a) == kVariableTag || TagOfCell(b) == kVariableTag) continue;
+    if (FunctorOfCell(cells_.data(), a) != FunctorOfCell(cells_.data(), b)) return false;
     if (TagOfCell(a) == kConstantTag) continue;
     if (TagOfCell(a) == kGroundTag && TagOfCell(b) == kGroundTag) return false;
     const std::uint32_t left = OffsetOfCell(a);
@@ -221,24 +284,19 @@ bool Matrix::CanConnect(const MatrixLiteral& goal, const MatrixLiteral& head) co
 }
 
 void Matrix::FindConnections(std::uint32_t literal) {
-  const MatrixLiteral& goal = literals_[literal];
+  MatrixLiteral& goal = literals_[literal];
   std::vector<Connection>& found = found_.emplace_back();
   for (const std::uint32_t entry : entries_of_key_[goal.key ^ 1U]) {
     const MatrixLiteral& head = literals_[entries_[entry].head];
     if (!CanConnect(goal, head)) continue;
-    Connection connection;
-    connection.entry = entry;
-    for (std::uint32_t i = 0; i < std::min<std::uint32_t>(goal.arity, Connection::kKeys); ++i) {
-      connection.keys[i] = KeyOf(cells_[head.arguments + i]);
-    }
-    found.push_back(connection);
+    found.push_back({FingerprintOf(head), entry});
   }
-  const auto bound = std::stable_partition(found.begin(), found.end(), [&](const Connection& way) {
-    return entries_[way.entry].size == 0 || entries_[way.entry].ground;
-  });
-  const auto free = static_cast<std::uint32_t>(bound - found.begin());
+  const auto bound = std::stable_partition(
+      found.begin(), found.end(), [&](const Connection& way) { return entries_[way.entry].free; });
   found.reserve(1);  // So that there is an address, which says that it was looked for.
-  connections_[literal] = {found.data(), static_cast<std::uint32_t>(found.size()), free};
+  goal.first = found.data();
+  goal.size = static_cast<std::uint32_t>(found.size());
+  goal.free = static_cast<std::uint32_t>(bound - found.begin());
 }
 
 void Matrix::ChooseStarts(std::span<const Clause> clauses, const Strategy& strategy) {

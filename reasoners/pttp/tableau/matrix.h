@@ -2,7 +2,6 @@
 #ifndef LATCHWORK_PTTP_TABLEAU_MATRIX_H_
 #define LATCHWORK_PTTP_TABLEAU_MATRIX_H_
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <ranges>
@@ -11,69 +10,87 @@
 
 #include "latchwork/logic/clause.h"
 #include "reasoners/pttp/strategy.h"
+#include "reasoners/pttp/tableau/fingerprint.h"
+#include "reasoners/pttp/tableau/matrix_terms.h"
 
 namespace latchwork::pttp {
 
-/// A term of the matrix: a tag in the low two bits. 0 is no term.
-using Cell = std::uint32_t;
+/// What a goal may be connected to.
+struct Connection {
+  Fingerprint head;
+  std::uint32_t entry = 0;
+};
 
-inline constexpr Cell kVariableTag = 0;  ///< (slot + 1) of the clause.
-inline constexpr Cell kConstantTag = 1;  ///< Functor.
-inline constexpr Cell kOpenTag = 2;      ///< Offset of a functor, its arity and its arguments.
-inline constexpr Cell kGroundTag = 3;  ///< The same without variables; equal ones share an offset.
+/// A variable whose value is a part of a goal's fingerprint.
+struct Probe {
+  Cell variable = 0;
+  std::uint16_t argument = kNone;                ///< The argument that it is.
+  std::uint8_t place = Fingerprint::kPlaces;     ///< kPlaces: none.
+  std::uint8_t below = Fingerprint::kPlaces;     ///< Of the first argument of its value.
 
-inline Cell TagOfCell(Cell cell) { return cell & 3U; }
-inline Cell CellOfSlot(std::uint32_t slot) { return (slot + 1) << 2U; }
-inline std::uint32_t SlotOfCell(Cell cell) { return (cell >> 2U) - 1; }
-inline std::uint32_t OffsetOfCell(Cell cell) { return cell >> 2U; }
+  static constexpr std::uint16_t kNone = 0xffff;
+};
 
-/// A literal as it stands in its clause, an element of the matrix.
+/// A literal as it stands in its clause, an element of the matrix. Its connections, found when
+/// first asked for, are best first: `free` of them are with units and ground clauses.
 struct MatrixLiteral {
   std::uint32_t key = 0;        ///< Predicate with sign: 2 * predicate + positive.
   std::uint32_t arguments = 0;  ///< Offset of its argument cells.
   std::uint32_t arity = 0;
+  std::uint32_t size = 0;
+  std::uint32_t free = 0;
+  std::uint32_t probe_count = 0;
+  const Connection* first = nullptr;
+  const Probe* probes = nullptr;
+  Fingerprint print;  ///< Without its probes.
+};
+
+/// What unification does at an argument of a head, whose clause copy is new.
+enum class HeadStep : std::uint8_t {
+  kFirst,   ///< A variable that occurs here for the first time: it gets the goal's argument.
+  kAtomic,  ///< A constant or a term without variables.
+  kNew,     ///< A term whose variables are all new and different: no occurs check.
+  kAny,
+};
+
+struct HeadArgument {
+  Cell cell = 0;
+  HeadStep step = HeadStep::kAny;
 };
 
 /// A way into a clause: through its literal `head`, which closes the goal's branch. The literals
-/// of `body` are then open.
+/// of the body are then open.
 struct Entry {
   std::uint32_t head = 0;
-  std::uint32_t body = 0;  ///< Offset in Matrix::bodies.
-  std::uint32_t size = 0;
+  std::uint32_t arguments = 0;  ///< Where Matrix::head_arguments begin.
+  std::uint32_t body = 0;       ///< The place of its first literal.
   std::uint32_t slots = 0;
   std::uint32_t clause = 0;
-  bool linear = false;  ///< No variable twice in the head.
-  bool ground = false;
-};
-
-/// What a goal may be connected to, with what the first arguments of the head demand.
-struct Connection {
-  static constexpr std::size_t kKeys = 3;
-  std::uint32_t entry = 0;
-  std::array<std::uint32_t, kKeys> keys{};
-};
-
-/// The connections of a literal, best first; the first `free` of them are with units and ground
-/// clauses.
-struct ConnectionList {
-  const Connection* first = nullptr;
-  std::uint32_t size = 0;
-  std::uint32_t free = 0;
+  bool unit = false;
+  bool free = false;  ///< Not charged for: a unit or ground.
 };
 
 /// A set of clauses compiled for the tableau: terms in one flat array, every way into every clause,
 /// and, found when first asked for, what each literal can be connected to.
 class Matrix {
  public:
+  static constexpr std::uint32_t kBodyEnd = 0xffffffffU;
+
   Matrix(std::span<const logic::Clause> clauses, const Strategy& strategy);
 
   const Cell* cells() const { return cells_.data(); }
   const MatrixLiteral& literal(std::uint32_t index) const { return literals_[index]; }
-  const Entry& entry(std::uint32_t index) const { return entries_[index]; }
-  std::uint32_t number(const Entry& entry) const {
-    return static_cast<std::uint32_t>(&entry - entries_.data());
+  /// The same with its connections.
+  const MatrixLiteral& goal(std::uint32_t index) {
+    const MatrixLiteral& literal = literals_[index];
+    if (literal.first == nullptr) FindConnections(index);
+    return literal;
   }
-  /// `place`: Entry::body and on.
+  const Entry& entry(std::uint32_t index) const { return entries_[index]; }
+  const HeadArgument* head_arguments(const Entry& entry) const {
+    return head_arguments_.data() + entry.arguments;
+  }
+  /// The literal at a place of a body; the last one is followed by kBodyEnd.
   std::uint32_t body_literal(std::uint32_t place) const { return bodies_[place]; }
   /// The literals of a clause as it was given.
   std::ranges::iota_view<std::uint32_t, std::uint32_t> ClauseLiterals(std::uint32_t clause) const {
@@ -81,11 +98,6 @@ class Matrix {
     return {range.first, range.first + range.count};
   }
   logic::Symbol predicate(std::uint32_t key) const { return predicates_[key / 2]; }
-  const ConnectionList& Connections(std::uint32_t literal) {
-    const ConnectionList& list = connections_[literal];
-    if (list.first == nullptr) FindConnections(literal);
-    return list;
-  }
   /// The start clauses of the strategy: entries without a head, best first.
   const std::vector<std::uint32_t>& starts() const { return starts_; }
   /// Whether every minimal refutation of the clauses has a start clause among `starts`.
@@ -107,8 +119,11 @@ class Matrix {
   std::uint32_t AddEntry(const ClauseRange& clause, std::uint32_t head, const Strategy& strategy);
   void ChooseStarts(std::span<const logic::Clause> clauses, const Strategy& strategy);
   void FindConnections(std::uint32_t literal);
-  bool IsLinear(const MatrixLiteral& literal, std::uint32_t slots) const;
-  std::uint32_t KeyOf(Cell cell) const;
+  void AddHeadArguments(Entry& entry);
+  bool TakesNewOnly(Cell argument, std::vector<bool>& seen) const;
+  Fingerprint FingerprintOf(const MatrixLiteral& literal) const;
+  void AddProbes();
+  void AddProbes(const MatrixLiteral& literal, std::uint64_t places);
   bool CanConnect(const MatrixLiteral& goal, const MatrixLiteral& head) const;
 
   std::vector<Cell> cells_;
@@ -116,10 +131,11 @@ class Matrix {
   std::vector<MatrixLiteral> literals_;
   std::vector<ClauseRange> clauses_;
   std::vector<Entry> entries_;
+  std::vector<Probe> probes_;
+  std::vector<HeadArgument> head_arguments_;
   std::vector<std::uint32_t> bodies_;
   std::vector<std::vector<std::uint32_t>> entries_of_key_;
   std::vector<std::uint32_t> ways_;  ///< Number of literals, by key.
-  std::vector<ConnectionList> connections_;
   std::vector<std::vector<Connection>> found_;
   std::vector<std::uint32_t> starts_;
   std::uint32_t keys_ = 0;

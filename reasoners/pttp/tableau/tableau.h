@@ -2,7 +2,6 @@
 #ifndef LATCHWORK_PTTP_TABLEAU_TABLEAU_H_
 #define LATCHWORK_PTTP_TABLEAU_TABLEAU_H_
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -49,45 +48,45 @@ class Tableau {
   static constexpr std::uint32_t kNone = 0xffffffffU;
   /// A bit by which most walks along a branch or through lemmata are found to be needless.
   static std::uint64_t MarkOf(std::uint32_t number) { return std::uint64_t{1} << (number & 63U); }
-  /// Where the search goes on: at the next open literal of a clause copy.
+  /// Where the search goes on: at an open literal of a clause copy.
   struct Place {
     std::uint32_t frame;
-    std::uint32_t index;
-    std::uint32_t lemma;  ///< The newest that holds there.
+    std::uint32_t literal;  ///< A place of a body of the matrix.
+    std::uint32_t lemma;    ///< The newest that holds there.
   };
-  /// A literal of a clause copy.
+  /// An open literal, as it was when the search came to it.
   struct Goal {
     std::uint32_t key;
-    std::uint32_t arguments;
     std::uint32_t arity;
-    std::uint32_t base;
+    std::uint32_t arguments;  ///< Where they are in the bindings.
+    Fingerprint print;
   };
   /// A goal that was extended, and the clause copy whose other literals are then to be solved. The
   /// goals of the frames that `next` leads to are its ancestors.
   struct Frame {
     Goal goal;
     Place next;
-    std::uint32_t body;  ///< Offset of the literals.
-    std::uint32_t size;
     std::uint32_t base;
     std::uint32_t left;    ///< How many steps may still follow each other below it.
+    std::uint32_t same;    ///< The nearest ancestor with the predicate of the goal.
     std::uint32_t height;  ///< Choices that were there before the goal was called.
     std::uint32_t kept;    ///< Choices that an exclusive cut keeps.
     std::uint32_t trail;   ///< As it was when the goal was called.
     std::uint32_t fresh;   ///< Variables from here on are younger than the goal.
     std::uint64_t marks;   ///< Of the predicates of the goal and its ancestors.
   };
-  using Keys = std::array<std::uint32_t, Connection::kKeys>;
+  /// A goal and what has not been tried with it.
   struct Choice {
+    Goal goal;
     Place place;
-    std::uint32_t ancestor;
-    std::uint32_t connection;
+    std::uint32_t same;        ///< The nearest ancestor with the goal's predicate.
+    std::uint32_t ancestor;    ///< The next to try, of those with the goal's predicate.
+    std::uint32_t connection;  ///< The next to try.
     std::uint32_t variables;
     std::uint32_t trail;
     std::uint32_t frames;
     std::uint32_t steps;
     std::uint32_t lemmata;
-    Keys keys;
   };
   struct Lemma {
     Goal goal;
@@ -104,22 +103,16 @@ class Tableau {
   bool Advance();
   bool Call();
   bool Retry();
-  bool TryReductions(const Goal& goal);
-  bool TryConnections(const Goal& goal, const ConnectionList& list);
-  bool TryEntry(const Goal& goal, const Entry& entry, Choice& choice, std::uint32_t height);
-  void Open(const Goal& goal, const Entry& entry, std::uint32_t base, const Choice& choice,
-            std::uint32_t height);
+  bool TryReductions();
+  bool TryConnections();
+  bool TryEntry(const Choice& choice, std::uint32_t entry, std::uint32_t height);
+  void Open(const Choice& choice, const Entry& entry, std::uint32_t base, std::uint32_t height);
   void SolvedAtOnce(const Choice& choice, std::uint32_t height);
   void Leave();
-  Goal GoalAt(std::uint32_t literal, std::uint32_t base) const;
-  std::uint32_t LiteralAt(const Place& place) const;
-  bool SameGoals(const Goal& a, const Goal& b);
-  bool LooksUp(const Goal& goal, std::uint32_t& complement);
+  bool IsIrregular(const Goal& goal, std::uint32_t& same);
   bool IsLemma(const Goal& goal);
-  static bool Clash(const Keys& a, const Keys& b);
-  Keys KeysOf(const Goal& goal) const;
-  std::uint32_t NextFitting(const ConnectionList& list, const Keys& keys, std::uint32_t from,
-                            bool free_only) const;
+  std::uint32_t NextFitting(const MatrixLiteral& goal, const Fingerprint& print,
+                            std::uint32_t from, bool free_only) const;
   void Rewind(const Choice& choice);
   std::size_t bytes() const;
   ClauseInstance InstanceOf(const Step& step, std::vector<std::uint32_t>& variables) const;
