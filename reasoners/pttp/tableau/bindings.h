@@ -24,28 +24,36 @@ class Bindings {
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(values_.size()); }
   std::uint32_t trail_size() const { return static_cast<std::uint32_t>(trail_.size()); }
-  std::size_t bytes() const { return values_.bytes() + trail_.bytes() + visits_.bytes(); }
+  std::size_t bytes() const {
+    return values_.bytes() + trail_.bytes() + pairs_.bytes() + visits_.bytes();
+  }
 
-  /// The variables of one more copy of a clause. Before them it is kept whether a term with any of
-  /// them was the value of a variable.
+  /// One more copy of a clause: its variables after a cell that says whether a term with any of
+  /// them was ever the value of a variable.
   std::uint32_t Allocate(std::uint32_t slots) {
+    const std::uint32_t base = size();
     Instance* fresh = values_.Extend(slots + 1);
     for (std::uint32_t i = 0; i <= slots; ++i) fresh[i] = {};
-    return size() - slots;
+    return base;
   }
   /// Puts the arguments of a goal on top, as they are now.
   Fingerprint PushArguments(const MatrixLiteral& goal, std::uint32_t base) {
     Instance* arguments = values_.Extend(goal.arity);
     const Cell* cells = cells_ + goal.arguments;
-    for (std::uint32_t i = 0; i < goal.arity; ++i) arguments[i] = {cells[i], base};
+    for (std::uint32_t i = 0; i < goal.given; ++i) arguments[i] = {cells[i], base};
     Fingerprint print = goal.print;
-    for (std::uint32_t i = 0; i < goal.probe_count; ++i) {
-      const Probe probe = goal.probes[i];
-      const Instance term = Resolve({probe.variable, base});
-      if (probe.argument != Probe::kNone) arguments[probe.argument] = term;
-      if (TagOfCell(term.cell) == kVariableTag || probe.place == Fingerprint::kPlaces) continue;
-      print.Set(probe.place, FunctorOfCell(cells_, term.cell));
-      if (probe.below != Fingerprint::kPlaces) LookBelow(term, probe.below, print);
+    for (const Probe* probe = goal.probes; probe != goal.probes_end; ++probe) {
+      const Instance term = Resolve({probe->variable, base});
+      if (probe->argument != Probe::kNone) arguments[probe->argument] = term;
+      if (IsVariable(term.cell) || probe->place == Fingerprint::kPlaces) continue;
+      const Cell* block = BlockOfCell(cells_, term.cell);
+      print.Set(probe->place, block[0]);
+      if (probe->below == Fingerprint::kPlaces) continue;
+      for (std::uint32_t i = 0; i < block[1] && i < Fingerprint::kBelow; ++i) {
+        const Instance argument = Resolve({block[2 + i], term.base});
+        if (IsVariable(argument.cell)) continue;
+        print.Set(probe->below + i, *BlockOfCell(cells_, argument.cell));
+      }
     }
     return print;
   }
@@ -64,8 +72,9 @@ class Bindings {
     return true;
   }
 
+  static std::uint32_t VariableOf(Instance term) { return term.base + (term.cell >> 2U); }
   Instance Resolve(Instance term) const {
-    while (TagOfCell(term.cell) == kVariableTag) {
+    while (IsVariable(term.cell)) {
       const Instance next = values_[VariableOf(term)];
       if (next.cell == 0) return term;
       term = next;
@@ -106,91 +115,73 @@ class Bindings {
     Instance right;
   };
 
-  static std::uint32_t VariableOf(Instance term) { return term.base + SlotOfCell(term.cell); }
-  static bool IsOpen(Instance term) {
-    return TagOfCell(term.cell) == kOpenTag || TagOfCell(term.cell) == kVariableTag;
-  }
-
-  void LookBelow(Instance term, std::uint32_t place, Fingerprint& print) const {
-    if (TagOfCell(term.cell) == kConstantTag) return;
-    const Cell* block = cells_ + OffsetOfCell(term.cell);
-    const std::uint32_t count = block[1] < Fingerprint::kBelow ? block[1] : Fingerprint::kBelow;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const Instance argument = Resolve({block[2 + i], term.base});
-      if (TagOfCell(argument.cell) == kVariableTag) continue;
-      print.Set(place + i, FunctorOfCell(cells_, argument.cell));
-    }
-  }
   /// Gives a variable that needs no trail its value.
   void Assign(std::uint32_t variable, Instance value) {
     values_[variable] = value;
-    if (IsOpen(value)) values_[value.base - 1].cell = 1;
+    values_[value.base].cell |= ~value.cell & kGroundTag;
   }
-  void Bind(std::uint32_t variable, Instance value) {
-    Assign(variable, value);
-    if (variable < mark_) trail_.Push(variable);
+  void Bind(Instance variable, Instance value) {
+    const std::uint32_t number = VariableOf(variable);
+    Assign(number, value);
+    if (number < mark_) trail_.Push(number);
   }
   bool UnifyArgument(HeadArgument head, std::uint32_t base, Instance goal) {
     if (head.step == HeadStep::kFirst) {
-      Assign(base + SlotOfCell(head.cell), goal);
+      Assign(base + (head.cell >> 2U), goal);
       return true;
     }
-    goal = Resolve(goal);
-    if (head.step == HeadStep::kAtomic) {
-      if (goal.cell == head.cell) return true;
-      if (TagOfCell(goal.cell) == kVariableTag) {
-        Bind(VariableOf(goal), {head.cell, base});
-        return true;
-      }
-      if (TagOfCell(goal.cell) != kOpenTag || TagOfCell(head.cell) == kConstantTag) return false;
+    const Instance term{head.cell, base};
+    if (head.step == HeadStep::kAny) {
+      safe_ = false;
+      return UnifyTerms(term, goal);
     }
-    safe_ = head.step != HeadStep::kAny;
-    return UnifyTerms({head.cell, base}, goal);
+    goal = Resolve(goal);
+    if (IsVariable(goal.cell)) {
+      Bind(goal, term);
+      return true;
+    }
+    safe_ = true;
+    return goal.cell == head.cell && IsGround(goal.cell) ? true : UnifyBlocks(term, goal);
   }
   /// Whether a variable may occur in a term: not if no term but this has variables of its copy.
   bool MayOccur(Instance variable, Instance value) const {
-    return !safe_ && TagOfCell(value.cell) == kOpenTag &&
-           (value.base == variable.base || values_[variable.base - 1].cell != 0);
+    return !safe_ && !IsGround(value.cell) &&
+           (value.base == variable.base || values_[variable.base].cell != 0);
   }
   bool BindChecked(Instance variable, Instance value) {
     if (MayOccur(variable, value) && Occurs(VariableOf(variable), value)) return false;
-    Bind(VariableOf(variable), value);
+    Bind(variable, value);
     return true;
   }
   bool UnifyTerms(Instance a, Instance b) {
     a = Resolve(a);
     b = Resolve(b);
-    if (TagOfCell(a.cell) == kVariableTag) {
-      if (TagOfCell(b.cell) != kVariableTag) return BindChecked(a, b);
-      const std::uint32_t x = VariableOf(a);
-      const std::uint32_t y = VariableOf(b);
-      if (x > y) {
-        Bind(x, b);
-      } else if (x < y) {
-        Bind(y, a);
-      }
+    if (SamePlace(a, b)) return true;
+    if (IsVariable(a.cell)) {
+      if (!IsVariable(b.cell)) return BindChecked(a, b);
+      const bool a_is_younger = VariableOf(a) > VariableOf(b);
+      Bind(a_is_younger ? a : b, a_is_younger ? b : a);
       return true;
     }
-    if (TagOfCell(b.cell) == kVariableTag) return BindChecked(b, a);
-    if (SamePlace(a, b)) return true;
-    return !DifferAtOnce(a, b) && UnifyCompounds(a, b);
+    if (IsVariable(b.cell)) return BindChecked(b, a);
+    return UnifyBlocks(a, b);
   }
   bool SameTerms(Instance a, Instance b) {
     if (SamePlace(a, b)) return true;
     a = Resolve(a);
     b = Resolve(b);
     if (SamePlace(a, b)) return true;
-    if (TagOfCell(a.cell) == kVariableTag || TagOfCell(b.cell) == kVariableTag) return false;
-    return !DifferAtOnce(a, b) && SameCompounds(a, b);
+    return !IsVariable(a.cell) && !IsVariable(b.cell) && !DifferAtOnce(a, b) && SameBelow(a, b);
   }
   static bool SamePlace(Instance a, Instance b) {
-    return a.cell == b.cell && (a.base == b.base || !IsOpen(a));
+    return a.cell == b.cell && (a.base == b.base || IsGround(a.cell));
   }
   /// Of two terms in different places that are no variables.
-  static bool DifferAtOnce(Instance a, Instance b) {
-    return (TagOfCell(a.cell) & TagOfCell(b.cell) & 1U) != 0 ||
-           TagOfCell(a.cell) == kConstantTag || TagOfCell(b.cell) == kConstantTag;
+  bool DifferAtOnce(Instance a, Instance b) const {
+    return IsGround(a.cell & b.cell) ||
+           *BlockOfCell(cells_, a.cell) != *BlockOfCell(cells_, b.cell);
   }
+  bool UnifyBlocks(Instance a, Instance b) { return !DifferAtOnce(a, b) && UnifyBelow(a, b); }
   /// Whether one comparison may go on. Terms that share their parts can be exponentially larger
   /// than what they are written with.
   bool Spend(std::uint32_t steps) {
@@ -200,8 +191,8 @@ class Bindings {
   }
   template <typename Agree>
   bool AgreeBelow(Instance a, Instance b, const Agree& agree);
-  bool UnifyCompounds(Instance a, Instance b);
-  bool SameCompounds(Instance a, Instance b);
+  bool UnifyBelow(Instance a, Instance b);
+  bool SameBelow(Instance a, Instance b);
   bool Occurs(std::uint32_t variable, Instance term);
 
   const Cell* cells_;

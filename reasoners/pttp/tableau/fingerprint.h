@@ -8,9 +8,9 @@
 namespace latchwork::pttp {
 
 /// A byte of the functor at each of eight places of an argument list: the arguments, and the first
-/// two arguments of each as far as there is room and goals of the predicate and sign need it. A place
-/// with a variable is left out. By it most
-/// unifications and comparisons that would fail are not begun.
+/// two arguments of each as far as there is room and goals of the predicate and sign need it. A
+/// place with a variable is left out. By it most unifications and comparisons that would fail are
+/// not begun.
 class Fingerprint {
  public:
   static constexpr std::uint32_t kPlaces = 8;
@@ -46,7 +46,9 @@ class Fingerprint {
     return ((functors_ ^ other.functors_) & known_ & other.known_) != 0;
   }
   /// Whether terms that looked like this once can be identical to those that now look like `now`.
-  bool MayEqual(const Fingerprint& now) const { return ((functors_ ^ now.functors_) & known_) == 0; }
+  bool MayEqual(const Fingerprint& now) const {
+    return ((functors_ ^ now.functors_) & known_) == 0;
+  }
 
  private:
   std::uint64_t functors_ = 0;

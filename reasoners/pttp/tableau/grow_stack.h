@@ -31,6 +31,11 @@ class GrowStack {
   }
   Value Pop() { return data_[--size_]; }
   void Truncate(std::size_t size) { size_ = size; }
+  /// The next one, to be written before it is pushed by Extend(1).
+  Value& Top() {
+    if (size_ == capacity_) Grow(1);
+    return data_[size_];
+  }
   /// Room for `count` more, their values left as they are.
   Value* Extend(std::size_t count) {
     if (size_ + count > capacity_) Grow(count);

@@ -2,9 +2,7 @@
 #include "reasoners/pttp/tableau/matrix.h"
 
 #include <algorithm>
-#include <bit>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace latchwork::pttp {
@@ -12,8 +10,6 @@ namespace {
 
 using logic::Clause;
 using logic::Term;
-
-constexpr std::uint32_t kNoHead = 0xffffffffU;
 
 /// Compiles clauses into cells; only needed while a matrix is made.
 class CellWriter {
@@ -37,7 +33,7 @@ class CellWriter {
         }
         continue;
       }
-      const Cell made = WriteCompound(*top.term, std::move(top.cells));
+      const Cell made = WriteCompound(*top.term, top.cells);
       stack.pop_back();
       if (stack.empty()) return made;
       stack.back().cells.push_back(made);
@@ -52,29 +48,30 @@ class CellWriter {
 
   Cell WriteAtomic(const Term& term) {
     if (term.is_variable()) return CellOfSlot(term.variable());
-    return (Functor(term, 0) << 2U) | kConstantTag;
+    return WriteBlock({Functor(term, 0)}, true);
   }
 
-  Cell WriteCompound(const Term& term, std::vector<Cell> arguments) {
-    const bool ground = std::all_of(arguments.begin(), arguments.end(), [](Cell cell) {
-      return TagOfCell(cell) == kConstantTag || TagOfCell(cell) == kGroundTag;
-    });
-    const std::uint32_t functor =
-        Functor(Term::Constant(term.symbol()), static_cast<std::uint32_t>(arguments.size()));
-    arguments.insert(arguments.begin(), functor);
+  Cell WriteCompound(const Term& term, const std::vector<Cell>& arguments) {
+    std::vector<Cell> block{
+        Functor(Term::Constant(term.symbol()), static_cast<std::uint32_t>(arguments.size()))};
+    block.insert(block.end(), arguments.begin(), arguments.end());
+    return WriteBlock(std::move(block), std::all_of(arguments.begin(), arguments.end(), IsGround));
+  }
+
+  /// A functor and its arguments.
+  Cell WriteBlock(std::vector<Cell> block, bool ground) {
     if (ground) {
-      if (const auto known = ground_.find(arguments); known != ground_.end()) return known->second;
+      if (const auto known = ground_.find(block); known != ground_.end()) return known->second;
     }
     const auto offset = static_cast<std::uint32_t>(cells_.size());
-    cells_.push_back(functor);
-    cells_.push_back(static_cast<Cell>(arguments.size() - 1));
-    cells_.insert(cells_.end(), arguments.begin() + 1, arguments.end());
+    cells_.push_back(block.front());
+    cells_.push_back(static_cast<Cell>(block.size() - 1));
+    cells_.insert(cells_.end(), block.begin() + 1, block.end());
     const Cell made = (offset << 2U) | (ground ? kGroundTag : kOpenTag);
-    if (ground) ground_.emplace(std::move(arguments), made);
+    if (ground) ground_.emplace(std::move(block), made);
     return made;
   }
 
-  /// Functors are numbered from 1: 0 demands nothing.
   std::uint32_t Functor(const Term& head, std::uint32_t arity) {
     const auto [place, added] =
         numbers_.try_emplace({head, arity}, static_cast<std::uint32_t>(functors_.size()));
@@ -92,7 +89,14 @@ class CellWriter {
 
 Matrix::Matrix(std::span<const Clause> clauses, const Strategy& strategy) {
   cells_.push_back(0);
-  functors_.emplace_back();
+  AddLiterals(clauses);
+  Reserve();
+  AddProbes();
+  AddEntries(strategy);
+  ChooseStarts(clauses, strategy);
+}
+
+void Matrix::AddLiterals(std::span<const Clause> clauses) {
   CellWriter writer(cells_, functors_);
   std::map<logic::PredicateName, std::uint32_t> predicates;
   for (const Clause& clause : clauses) {
@@ -111,11 +115,9 @@ Matrix::Matrix(std::span<const Clause> clauses, const Strategy& strategy) {
       std::vector<Cell> arguments;
       for (const Term& argument : literal.atom.arguments()) {
         arguments.push_back(writer.Write(argument));
-        if (TagOfCell(arguments.back()) == kVariableTag ||
-            TagOfCell(arguments.back()) == kOpenTag) {
-          range.ground = false;
-        }
       }
+      range.ground = range.ground && std::all_of(arguments.begin(), arguments.end(), IsGround);
+      if (!std::all_of(arguments.begin(), arguments.end(), IsVariable)) made.given = made.arity;
       made.arguments = static_cast<std::uint32_t>(cells_.size());
       cells_.insert(cells_.end(), arguments.begin(), arguments.end());
       literals_.push_back(made);
@@ -123,49 +125,60 @@ Matrix::Matrix(std::span<const Clause> clauses, const Strategy& strategy) {
     clauses_.push_back(range);
   }
   keys_ = 2 * static_cast<std::uint32_t>(predicates.size());
-  AddProbes();
-  AddEntries(strategy);
-  ChooseStarts(clauses, strategy);
 }
 
-std::uint32_t Matrix::AddEntry(const ClauseRange& clause, std::uint32_t head,
-                               const Strategy& strategy) {
+/// Room for what is pointed to, so that it stays where it is.
+void Matrix::Reserve() {
+  std::size_t arguments = 0;
+  for (const MatrixLiteral& literal : literals_) arguments += literal.arity;
+  std::size_t bodies = 0;
+  for (const ClauseRange& clause : clauses_) {
+    bodies += (clause.count + std::size_t{1}) * (clause.count + std::size_t{1});
+  }
+  probes_.reserve(Fingerprint::kBelow * arguments);
+  heads_.reserve(arguments);
+  bodies_.reserve(bodies);
+  entries_.reserve(literals_.size() + clauses_.size());
+}
+
+const Entry* Matrix::AddEntry(const ClauseRange& clause, const MatrixLiteral* head,
+                              const Strategy& strategy) {
   Entry entry;
-  entry.head = head;
   entry.slots = clause.slots;
   entry.clause = static_cast<std::uint32_t>(&clause - clauses_.data());
-  entry.body = static_cast<std::uint32_t>(bodies_.size());
-  for (std::uint32_t i = 0; i < clause.count; ++i) {
-    if (clause.first + i != head) bodies_.push_back(clause.first + i);
+  entry.body = bodies_.data() + bodies_.size();
+  const auto begin = bodies_.end();
+  for (const MatrixLiteral& literal : ClauseLiterals(entry.clause)) {
+    if (&literal != head) bodies_.push_back(&literal);
   }
-  entry.unit = bodies_.size() == entry.body;
+  entry.unit = begin == bodies_.end();
   entry.free = entry.unit || clause.ground;
-  const auto begin = bodies_.begin() + entry.body;
   if (strategy.order == BodyOrder::kReversed) std::reverse(begin, bodies_.end());
   if (strategy.order == BodyOrder::kFewest) {
-    std::stable_sort(begin, bodies_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return ways_[literals_[a].key ^ 1U] < ways_[literals_[b].key ^ 1U];
+    std::stable_sort(begin, bodies_.end(), [&](const auto* a, const auto* b) {
+      return ways_of_key_[a->key ^ 1U].size() < ways_of_key_[b->key ^ 1U].size();
     });
   }
-  bodies_.push_back(kBodyEnd);
-  if (head != kNoHead) AddHeadArguments(entry);
-  entries_.push_back(entry);
-  return static_cast<std::uint32_t>(entries_.size() - 1);
+  bodies_.push_back(nullptr);
+  if (head != nullptr) entry.head = AddHead(*head, clause.slots);
+  return &entries_.emplace_back(entry);
 }
 
 void Matrix::AddEntries(const Strategy& strategy) {
-  ways_.assign(keys_, 0);
-  for (const MatrixLiteral& literal : literals_) ++ways_[literal.key];
-  entries_of_key_.resize(keys_);
+  ways_of_key_.resize(keys_);
+  for (const MatrixLiteral& literal : literals_) {
+    ways_of_key_[literal.key].push_back({&literal, nullptr});
+  }
+  std::vector<std::size_t> next(keys_, 0);
   for (const ClauseRange& clause : clauses_) {
-    for (std::uint32_t i = 0; i < clause.count; ++i) {
-      const std::uint32_t head = clause.first + i;
-      entries_of_key_[literals_[head].key].push_back(AddEntry(clause, head, strategy));
+    for (const MatrixLiteral& head :
+         ClauseLiterals(static_cast<std::uint32_t>(&clause - clauses_.data()))) {
+      ways_of_key_[head.key][next[head.key]++].entry = AddEntry(clause, &head, strategy);
     }
   }
-  for (auto& entries : entries_of_key_) {
-    std::stable_sort(entries.begin(), entries.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return clauses_[entries_[a].clause].count < clauses_[entries_[b].clause].count;
+  for (auto& ways : ways_of_key_) {
+    std::stable_sort(ways.begin(), ways.end(), [&](const Way& a, const Way& b) {
+      return clauses_[a.entry->clause].count < clauses_[b.entry->clause].count;
     });
   }
 }
@@ -177,43 +190,42 @@ bool Matrix::TakesNewOnly(Cell argument, std::vector<bool>& seen) const {
   while (!visits.empty()) {
     const Cell cell = visits.back();
     visits.pop_back();
-    if (TagOfCell(cell) == kVariableTag) {
+    if (IsVariable(cell)) {
       all_new = all_new && !seen[SlotOfCell(cell)];
       seen[SlotOfCell(cell)] = true;
-    } else if (TagOfCell(cell) == kOpenTag) {
-      const auto block = cells_.begin() + OffsetOfCell(cell);
+    } else if (!IsGround(cell)) {
+      const Cell* block = BlockOfCell(cells(), cell);
       visits.insert(visits.end(), block + 2, block + 2 + block[1]);
     }
   }
   return all_new;
 }
 
-void Matrix::AddHeadArguments(Entry& entry) {
-  entry.arguments = static_cast<std::uint32_t>(head_arguments_.size());
-  std::vector<bool> seen(entry.slots, false);
-  const MatrixLiteral& head = literals_[entry.head];
+const HeadArgument* Matrix::AddHead(const MatrixLiteral& head, std::uint32_t slots) {
+  const HeadArgument* first = heads_.data() + heads_.size();
+  std::vector<bool> seen(slots, false);
   for (std::uint32_t i = 0; i < head.arity; ++i) {
     const Cell cell = cells_[head.arguments + i];
-    const bool all_new = TakesNewOnly(cell, seen);
-    HeadStep step = all_new ? HeadStep::kNew : HeadStep::kAny;
-    if (TagOfCell(cell) == kVariableTag && all_new) step = HeadStep::kFirst;
-    if (TagOfCell(cell) == kConstantTag || TagOfCell(cell) == kGroundTag) step = HeadStep::kAtomic;
-    head_arguments_.push_back({cell, step});
+    HeadStep step = HeadStep::kAny;
+    if (TakesNewOnly(cell, seen)) step = IsVariable(cell) ? HeadStep::kFirst : HeadStep::kNew;
+    if (IsGround(cell)) step = HeadStep::kGround;
+    heads_.push_back({cell, step});
   }
+  return first;
 }
 
 Fingerprint Matrix::FingerprintOf(const MatrixLiteral& literal) const {
   Fingerprint print;
   for (std::uint32_t i = 0; i < std::min(literal.arity, Fingerprint::kPlaces); ++i) {
     const Cell cell = cells_[literal.arguments + i];
-    if (TagOfCell(cell) == kVariableTag) continue;
-    print.Set(i, FunctorOfCell(cells(), cell));
+    if (IsVariable(cell)) continue;
+    const Cell* block = BlockOfCell(cells(), cell);
+    print.Set(i, block[0]);
     const std::uint32_t below = Fingerprint::PlaceBelow(literal.arity, i);
-    if (TagOfCell(cell) == kConstantTag || below == Fingerprint::kPlaces) continue;
-    const Cell* block = cells() + OffsetOfCell(cell);
+    if (below == Fingerprint::kPlaces) continue;
     for (std::uint32_t j = 0; j < std::min(block[1], Fingerprint::kBelow); ++j) {
-      if (TagOfCell(block[2 + j]) == kVariableTag) continue;
-      print.Set(below + j, FunctorOfCell(cells(), block[2 + j]));
+      const Cell argument = block[2 + j];
+      if (!IsVariable(argument)) print.Set(below + j, *BlockOfCell(cells(), argument));
     }
   }
   return print;
@@ -223,7 +235,6 @@ Fingerprint Matrix::FingerprintOf(const MatrixLiteral& literal) const {
 void Matrix::AddProbes() {
   std::vector<std::uint64_t> known(keys_, 0);
   for (const MatrixLiteral& head : literals_) known[head.key ^ 1U] |= FingerprintOf(head).known();
-  std::vector<std::size_t> begins;
   for (MatrixLiteral& literal : literals_) {
     std::uint64_t places = known[literal.key];
     for (std::uint32_t i = 0; i < std::min(literal.arity, Fingerprint::kPlaces); ++i) {
@@ -234,31 +245,29 @@ void Matrix::AddProbes() {
     }
     literal.print = FingerprintOf(literal);
     literal.print.Keep(places);
-    begins.push_back(probes_.size());
     AddProbes(literal, places);
-    literal.probe_count = static_cast<std::uint32_t>(probes_.size() - begins.back());
   }
-  for (std::size_t i = 0; i < literals_.size(); ++i) literals_[i].probes = probes_.data() + begins[i];
 }
 
-void Matrix::AddProbes(const MatrixLiteral& literal, std::uint64_t places) {
+void Matrix::AddProbes(MatrixLiteral& literal, std::uint64_t places) {
+  literal.probes = probes_.data() + probes_.size();
   for (std::uint32_t i = 0; i < literal.arity; ++i) {
     const Cell cell = cells_[literal.arguments + i];
     std::uint32_t below = Fingerprint::PlaceBelow(literal.arity, i);
     if ((places & Fingerprint::Bytes(below, 1)) == 0) below = Fingerprint::kPlaces;
-    if (TagOfCell(cell) == kVariableTag) {
+    if (IsVariable(cell)) {
       probes_.push_back({cell, static_cast<std::uint16_t>(i),
                          static_cast<std::uint8_t>(std::min(i, Fingerprint::kPlaces)),
                          static_cast<std::uint8_t>(below)});
-    } else if (TagOfCell(cell) == kOpenTag && below != Fingerprint::kPlaces) {
-      const Cell* block = cells() + OffsetOfCell(cell);
+    } else if (!IsGround(cell) && below != Fingerprint::kPlaces) {
+      const Cell* block = BlockOfCell(cells(), cell);
       for (std::uint32_t j = 0; j < std::min(block[1], Fingerprint::kBelow); ++j) {
-        if (TagOfCell(block[2 + j]) != kVariableTag) continue;
-        probes_.push_back({block[2 + j], Probe::kNone, static_cast<std::uint8_t>(below + j),
-                           Fingerprint::kPlaces});
+        if (!IsVariable(block[2 + j])) continue;
+        probes_.push_back({block[2 + j], Probe::kNone, static_cast<std::uint8_t>(below + j)});
       }
     }
   }
+  literal.probes_end = probes_.data() + probes_.size();
 }
 
 /// A quick test without variables bound: no functor in the way.
@@ -270,33 +279,27 @@ bool Matrix::CanConnect(const MatrixLiteral& goal, const MatrixLiteral& head) co
   while (!visits.empty()) {
     const auto [a, b] = visits.back();
     visits.pop_back();
-    if (a == b || TagOfCell(a) == kVariableTag || TagOfCell(b) == kVariableTag) continue;
-    if (FunctorOfCell(cells_.data(), a) != FunctorOfCell(cells_.data(), b)) return false;
-    if (TagOfCell(a) == kConstantTag) continue;
-    if (TagOfCell(a) == kGroundTag && TagOfCell(b) == kGroundTag) return false;
-    const std::uint32_t left = OffsetOfCell(a);
-    const std::uint32_t right = OffsetOfCell(b);
-    for (std::uint32_t i = 0; i < cells_[left + 1]; ++i) {
-      visits.emplace_back(cells_[left + 2 + i], cells_[right + 2 + i]);
-    }
+    if (a == b || IsVariable(a) || IsVariable(b)) continue;
+    const Cell* left = BlockOfCell(cells(), a);
+    const Cell* right = BlockOfCell(cells(), b);
+    if (left[0] != right[0] || (IsGround(a) && IsGround(b))) return false;
+    for (std::uint32_t i = 0; i < left[1]; ++i) visits.emplace_back(left[2 + i], right[2 + i]);
   }
   return true;
 }
 
-void Matrix::FindConnections(std::uint32_t literal) {
-  MatrixLiteral& goal = literals_[literal];
-  std::vector<Connection>& found = found_.emplace_back();
-  for (const std::uint32_t entry : entries_of_key_[goal.key ^ 1U]) {
-    const MatrixLiteral& head = literals_[entries_[entry].head];
-    if (!CanConnect(goal, head)) continue;
-    found.push_back({FingerprintOf(head), entry});
+void Matrix::FindConnections(const MatrixLiteral& goal) {
+  std::vector<Connection>& found = connections_.emplace_back();
+  for (const Way& way : ways_of_key_[goal.key ^ 1U]) {
+    if (CanConnect(goal, *way.head)) found.push_back({FingerprintOf(*way.head), way.entry});
   }
-  const auto bound = std::stable_partition(
-      found.begin(), found.end(), [&](const Connection& way) { return entries_[way.entry].free; });
+  const auto free_end = std::stable_partition(
+      found.begin(), found.end(), [](const Connection& way) { return way.entry->free; });
   found.reserve(1);  // So that there is an address, which says that it was looked for.
-  goal.first = found.data();
-  goal.size = static_cast<std::uint32_t>(found.size());
-  goal.free = static_cast<std::uint32_t>(bound - found.begin());
+  MatrixLiteral& literal = literals_[static_cast<std::size_t>(&goal - literals_.data())];
+  literal.first = found.data();
+  literal.free_end = literal.first + (free_end - found.begin());
+  literal.end = literal.first + found.size();
 }
 
 void Matrix::ChooseStarts(std::span<const Clause> clauses, const Strategy& strategy) {
@@ -324,16 +327,17 @@ void Matrix::ChooseStarts(std::span<const Clause> clauses, const Strategy& strat
   std::stable_sort(others.begin(), others.end(), by_size);
   conjectures.insert(conjectures.end(), others.begin(), others.end());
   for (const std::uint32_t clause : conjectures) {
-    starts_.push_back(AddEntry(clauses_[clause], kNoHead, strategy));
+    starts_.push_back(AddEntry(clauses_[clause], nullptr, strategy));
   }
 }
 
 std::size_t Matrix::bytes() const {
   std::size_t connections = 0;
-  for (const auto& found : found_) connections += found.capacity() * sizeof(Connection);
+  for (const auto& found : connections_) connections += found.capacity() * sizeof(Connection);
   return connections + cells_.capacity() * sizeof(Cell) +
          literals_.capacity() * sizeof(MatrixLiteral) + entries_.capacity() * sizeof(Entry) +
-         bodies_.capacity() * sizeof(std::uint32_t);
+         heads_.capacity() * sizeof(HeadArgument) + probes_.capacity() * sizeof(Probe) +
+         bodies_.capacity() * sizeof(MatrixLiteral*);
 }
 
 }  // namespace latchwork::pttp

@@ -10,21 +10,19 @@ namespace latchwork::pttp {
 using Cell = std::uint32_t;
 
 inline constexpr Cell kVariableTag = 0;  ///< (slot + 1) of the clause.
-inline constexpr Cell kConstantTag = 1;  ///< Functor.
+inline constexpr Cell kGroundTag = 1;    ///< Without variables; equal ones share an offset.
 inline constexpr Cell kOpenTag = 2;      ///< Offset of a functor, its arity and its arguments.
-inline constexpr Cell kGroundTag = 3;  ///< The same without variables; equal ones share an offset.
 
 inline Cell TagOfCell(Cell cell) { return cell & 3U; }
+inline bool IsVariable(Cell cell) { return TagOfCell(cell) == kVariableTag; }
+/// Of terms, also variables.
+inline bool IsGround(Cell cell) { return (cell & kGroundTag) != 0; }
 inline Cell CellOfSlot(std::uint32_t slot) { return (slot + 1) << 2U; }
 inline std::uint32_t SlotOfCell(Cell cell) { return (cell >> 2U) - 1; }
-inline std::uint32_t OffsetOfCell(Cell cell) { return cell >> 2U; }
-/// Of a term that is no variable.
-inline std::uint32_t FunctorOfCell(const Cell* cells, Cell cell) {
-  const std::uint32_t offset = OffsetOfCell(cell);
-  return TagOfCell(cell) == kConstantTag ? offset : cells[offset];
-}
+/// The functor, the number of arguments and the arguments of a term that is no variable.
+inline const Cell* BlockOfCell(const Cell* cells, Cell cell) { return cells + (cell >> 2U); }
 
-/// An instance of a term of the matrix: its cell and where its clause's variables begin.
+/// An instance of a term of the matrix: its cell and where its clause's copy is.
 struct Instance {
   Cell cell = 0;
   std::uint32_t base = 0;

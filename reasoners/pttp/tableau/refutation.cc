@@ -12,30 +12,26 @@ logic::Term Tableau::Export(Instance term, std::vector<std::uint32_t>& variables
     std::vector<logic::Term> arguments;
   };
   std::vector<Pending> stack;
-  const auto leaf = [&](Instance atom) {
-    if (TagOfCell(atom.cell) == kConstantTag) return matrix_.functor(OffsetOfCell(atom.cell));
-    const std::uint32_t variable = atom.base + SlotOfCell(atom.cell);
+  const auto leaf = [&](std::uint32_t variable) {
     auto place = std::find(variables.begin(), variables.end(), variable);
     if (place == variables.end()) place = variables.insert(place, variable);
     return logic::Term::Var(static_cast<logic::Variable>(place - variables.begin()));
   };
-  term = bindings_.Resolve(term);
-  if (TagOfCell(term.cell) < kOpenTag) return leaf(term);
-  stack.push_back({term, {}});
+  stack.push_back({bindings_.Resolve(term), {}});
   for (;;) {
     Pending& top = stack.back();
-    const Cell* block = matrix_.cells() + OffsetOfCell(top.term.cell);
-    if (top.arguments.size() < block[1]) {
-      const Instance next = bindings_.Resolve({block[2 + top.arguments.size()], top.term.base});
-      if (TagOfCell(next.cell) < kOpenTag) {
-        top.arguments.push_back(leaf(next));
-      } else {
-        stack.push_back({next, {}});
+    logic::Term made;
+    if (IsVariable(top.term.cell)) {
+      made = leaf(Bindings::VariableOf(top.term));
+    } else {
+      const Cell* block = BlockOfCell(matrix_.cells(), top.term.cell);
+      if (top.arguments.size() < block[1]) {
+        stack.push_back({bindings_.Resolve({block[2 + top.arguments.size()], top.term.base}), {}});
+        continue;
       }
-      continue;
+      made = matrix_.functor(block[0]);
+      if (block[1] > 0) made = logic::Term::Compound(made.symbol(), std::move(top.arguments));
     }
-    logic::Term made =
-        logic::Term::Compound(matrix_.functor(block[0]).symbol(), std::move(top.arguments));
     stack.pop_back();
     if (stack.empty()) return made;
     stack.back().arguments.push_back(std::move(made));
@@ -43,10 +39,9 @@ logic::Term Tableau::Export(Instance term, std::vector<std::uint32_t>& variables
 }
 
 ClauseInstance Tableau::InstanceOf(const Step& step, std::vector<std::uint32_t>& variables) const {
-  const Entry& entry = matrix_.entry(step.entry);
+  const Entry& entry = *step.entry;
   ClauseInstance instance{entry.clause, {}, {}};
-  for (const std::uint32_t index : matrix_.ClauseLiterals(entry.clause)) {
-    const MatrixLiteral& literal = matrix_.literal(index);
+  for (const MatrixLiteral& literal : matrix_.ClauseLiterals(entry.clause)) {
     std::vector<logic::Term> arguments;
     for (std::uint32_t i = 0; i < literal.arity; ++i) {
       arguments.push_back(Export({matrix_.cells()[literal.arguments + i], step.base}, variables));

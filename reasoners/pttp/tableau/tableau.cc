@@ -23,8 +23,8 @@ Tableau::Tableau(Matrix& matrix, const Strategy& strategy, std::size_t memory_by
 TableauEnd Tableau::Search() {
   for (depth_ = 1; depth_ <= strategy_.deepest; ++depth_) {
     cut_off_ = false;
-    for (const std::uint32_t start : matrix_.starts()) {
-      const TableauEnd end = Run(start);
+    for (const Entry* start : matrix_.starts()) {
+      const TableauEnd end = Run(*start);
       if (end != TableauEnd::kSaturated) return end;
     }
     if (cut_off_) continue;
@@ -34,27 +34,26 @@ TableauEnd Tableau::Search() {
   return TableauEnd::kGaveUp;
 }
 
-void Tableau::Begin(std::uint32_t start) {
+void Tableau::Begin(const Entry& start) {
   bindings_.UndoTo(0, 0);
   bindings_.TrailBelow(0);
   frames_.Truncate(0);
   choices_.Truncate(0);
   lemmata_.Truncate(0);
   steps_.Truncate(0);
-  const Entry& entry = matrix_.entry(start);
-  const std::uint32_t base = bindings_.Allocate(entry.slots);
-  steps_.Push({start, base});
-  Frame& root = *frames_.Extend(1);
-  root = {};
+  const std::uint32_t base = bindings_.Allocate(start.slots);
+  steps_.Push({&start, base});
+  Frame root{};
   root.goal.key = kNone;
   root.next.frame = kNone;
   root.same = kNone;
   root.base = base;
   root.left = depth_;
-  place_ = {0, entry.body, kNone};
+  frames_.Push(root);
+  place_ = {start.body, 0, kNone};
 }
 
-TableauEnd Tableau::Run(std::uint32_t start) {
+TableauEnd Tableau::Run(const Entry& start) {
   Begin(start);
   bool forward = true;
   for (;;) {
@@ -74,8 +73,8 @@ TableauEnd Tableau::Run(std::uint32_t start) {
 }
 
 /// To the next open goal; false when there is none.
-bool Tableau::Advance() {
-  while (matrix_.body_literal(place_.literal) == Matrix::kBodyEnd) {
+inline bool Tableau::Advance() {
+  while (*place_.literal == nullptr) {
     if (frames_[place_.frame].next.frame == kNone) return false;
     Leave();
   }
@@ -98,9 +97,14 @@ void Tableau::Leave() {
   place_ = frame.next;
   if (strategy_.lemmata) {
     const std::uint64_t older = place_.lemma == kNone ? 0 : lemmata_[place_.lemma].marks;
-    lemmata_.Push({frame.goal, place_.lemma, older | MarkOf(frame.goal.key)});
+    lemmata_.Push({frame.goal, older | MarkOf(frame.goal.key), place_.lemma});
     place_.lemma = static_cast<std::uint32_t>(lemmata_.size() - 1);
   }
+}
+
+inline bool Tableau::Same(const Goal& earlier, const Goal& goal) {
+  return earlier.key == goal.key && earlier.print.MayEqual(goal.print) &&
+         bindings_.Identical(earlier.arguments, goal.arguments, goal.literal->arity);
 }
 
 /// Whether the goal stands on its branch already. `same` becomes the nearest ancestor with its
@@ -111,11 +115,7 @@ inline bool Tableau::IsIrregular(const Goal& goal, std::uint32_t& same) {
   same = place_.frame;
   while (same != kNone && (frames_[same].goal.key ^ goal.key) > 1) same = frames_[same].next.frame;
   for (std::uint32_t i = same; i != kNone; i = frames_[i].same) {
-    const Goal& ancestor = frames_[i].goal;
-    if (ancestor.key == goal.key && ancestor.print.MayEqual(goal.print) &&
-        bindings_.Identical(ancestor.arguments, goal.arguments, goal.arity)) {
-      return true;
-    }
+    if (Same(frames_[i].goal, goal)) return true;
   }
   return false;
 }
@@ -125,42 +125,36 @@ inline bool Tableau::IsLemma(const Goal& goal) {
     return false;
   }
   for (std::uint32_t i = place_.lemma; i != kNone; i = lemmata_[i].next) {
-    const Goal& lemma = lemmata_[i].goal;
-    if (lemma.key == goal.key && lemma.print.MayEqual(goal.print) &&
-        bindings_.Identical(lemma.arguments, goal.arguments, goal.arity)) {
-      return true;
-    }
+    if (Same(lemmata_[i].goal, goal)) return true;
   }
   return false;
 }
 
-inline std::uint32_t Tableau::NextFitting(const MatrixLiteral& goal, const Fingerprint& print,
-                                          std::uint32_t from, bool free_only) const {
-  const std::uint32_t end = free_only ? goal.free : goal.size;
+inline const Connection* Tableau::NextFitting(const Goal& goal, const Connection* from) const {
+  const bool free_only = cut_off_ && frames_[place_.frame].left == 0;
+  const Connection* end = free_only ? goal.literal->free_end : goal.literal->end;
   for (; from < end; ++from) {
-    if (!print.Clashes(goal.first[from].head)) return from;
+    if (!goal.print.Clashes(from->head)) return from;
   }
-  return kNone;
+  return nullptr;
 }
 
 bool Tableau::Call() {
-  const Frame& frame = frames_[place_.frame];
-  const MatrixLiteral& literal = matrix_.goal(matrix_.body_literal(place_.literal));
-  Choice& choice = *choices_.Extend(1);
-  choices_.Pop();
+  const MatrixLiteral& literal = **place_.literal;
+  matrix_.Connect(literal);
+  Choice& choice = choices_.Top();
   Goal& goal = choice.goal;
+  goal.literal = &literal;
   goal.key = literal.key;
-  goal.arity = literal.arity;
   goal.arguments = bindings_.size();
-  goal.print = bindings_.PushArguments(literal, frame.base);
+  goal.print = bindings_.PushArguments(literal, frames_[place_.frame].base);
   if (IsIrregular(goal, choice.same)) return false;
   if (strategy_.lemmata && IsLemma(goal)) {
     ++place_.literal;
     return true;
   }
-  const bool free_only = frame.left == 0 && cut_off_;
-  choice.connection = NextFitting(literal, goal.print, 0, free_only);
-  if (choice.connection == kNone && choice.same == kNone) return false;
+  choice.connection = NextFitting(goal, literal.first);
+  if (choice.connection == nullptr && choice.same == kNone) return false;
   choice.ancestor = choice.same;
   choice.place = place_;
   choice.variables = bindings_.size();
@@ -169,13 +163,19 @@ bool Tableau::Call() {
   choice.steps = static_cast<std::uint32_t>(steps_.size());
   choice.lemmata = static_cast<std::uint32_t>(lemmata_.size());
   bindings_.TrailBelow(choice.variables);
-  if (choice.ancestor == kNone &&
-      NextFitting(literal, goal.print, choice.connection + 1, free_only) == kNone) {
-    return TryEntry(choice, literal.first[choice.connection].entry,
-                    static_cast<std::uint32_t>(choices_.size()));
-  }
+  if (choice.same == kNone) return CallConnections(choice);
   choices_.Extend(1);
-  return (choices_.back().ancestor != kNone && TryReductions()) || TryConnections();
+  return TryReductions() || TryConnections();
+}
+
+/// With what is tried last there is no choice.
+inline bool Tableau::CallConnections(Choice& choice) {
+  const auto height = static_cast<std::uint32_t>(choices_.size());
+  const Entry& entry = *choice.connection->entry;
+  choice.connection = NextFitting(choice.goal, choice.connection + 1);
+  if (choice.connection == nullptr) return TryEntry(choice, entry, height);
+  choices_.Extend(1);
+  return TryEntry(choice, entry, height) || TryConnections();
 }
 
 void Tableau::Rewind(const Choice& choice) { bindings_.UndoTo(choice.trail, choice.variables); }
@@ -188,10 +188,10 @@ bool Tableau::Retry() {
   lemmata_.Truncate(choice.lemmata);
   place_ = choice.place;
   bindings_.TrailBelow(choice.variables);
-  return (choices_.back().ancestor != kNone && TryReductions()) || TryConnections();
+  return (choice.ancestor != kNone && TryReductions()) || TryConnections();
 }
 
-inline bool Tableau::TryReductions() {
+bool Tableau::TryReductions() {
   Choice& choice = choices_.back();
   const Goal& goal = choice.goal;
   while (choice.ancestor != kNone) {
@@ -199,7 +199,7 @@ inline bool Tableau::TryReductions() {
     choice.ancestor = frame.same;
     const Goal& ancestor = frame.goal;
     if (ancestor.key == goal.key || ancestor.print.Clashes(goal.print)) continue;
-    if (bindings_.UnifyGoals(ancestor.arguments, goal.arguments, goal.arity)) {
+    if (bindings_.UnifyGoals(ancestor.arguments, goal.arguments, goal.literal->arity)) {
       ++inferences_;
       SolvedAtOnce(choice, static_cast<std::uint32_t>(choices_.size() - 1));
       return true;
@@ -209,7 +209,7 @@ inline bool Tableau::TryReductions() {
   return false;
 }
 
-void Tableau::SolvedAtOnce(const Choice& choice, std::uint32_t height) {
+inline void Tableau::SolvedAtOnce(const Choice& choice, std::uint32_t height) {
   ++place_.literal;
   const bool most_general = bindings_.trail_size() == choice.trail;
   if (choices_.size() == height || (!most_general && strategy_.cut != Cut::kInclusive)) return;
@@ -217,16 +217,13 @@ void Tableau::SolvedAtOnce(const Choice& choice, std::uint32_t height) {
   choices_.Truncate(height);
 }
 
-bool Tableau::TryConnections() {
+inline bool Tableau::TryConnections() {
   const auto height = static_cast<std::uint32_t>(choices_.size() - 1);
   Choice& choice = choices_.back();
-  const bool deepest = frames_[place_.frame].left == 0;
-  const MatrixLiteral& literal = matrix_.literal(matrix_.body_literal(place_.literal));
-  while (choice.connection != kNone) {
-    const std::uint32_t entry = literal.first[choice.connection].entry;
-    choice.connection =
-        NextFitting(literal, choice.goal.print, choice.connection + 1, deepest && cut_off_);
-    if (choice.connection == kNone) {
+  while (choice.connection != nullptr) {
+    const Entry& entry = *choice.connection->entry;
+    choice.connection = NextFitting(choice.goal, choice.connection + 1);
+    if (choice.connection == nullptr) {
       choices_.Pop();
       return TryEntry(choice, entry, height);
     }
@@ -236,12 +233,10 @@ bool Tableau::TryConnections() {
   return false;
 }
 
-bool Tableau::TryEntry(const Choice& choice, std::uint32_t number, std::uint32_t height) {
-  const Entry& entry = matrix_.entry(number);
+bool Tableau::TryEntry(const Choice& choice, const Entry& entry, std::uint32_t height) {
   const Goal& goal = choice.goal;
   const std::uint32_t base = bindings_.Allocate(entry.slots);
-  const bool unified =
-      bindings_.UnifyHead(matrix_.head_arguments(entry), base, goal.arguments, goal.arity);
+  const bool unified = bindings_.UnifyHead(entry.head, base, goal.arguments, goal.literal->arity);
   const bool too_deep = !entry.free && frames_[place_.frame].left == 0;
   if (!unified || too_deep) {
     cut_off_ = cut_off_ || unified;
@@ -249,7 +244,7 @@ bool Tableau::TryEntry(const Choice& choice, std::uint32_t number, std::uint32_t
     return false;
   }
   ++inferences_;
-  steps_.Push({number, base});
+  steps_.Push({&entry, base});
   if (entry.unit) {
     SolvedAtOnce(choice, height);
   } else {
@@ -264,7 +259,8 @@ inline void Tableau::Open(const Choice& choice, const Entry& entry, std::uint32_
   Frame& frame = *frames_.Extend(1);
   const Frame& parent = frames_[place_.frame];
   frame.goal = choice.goal;
-  frame.next = {place_.frame, place_.literal + 1, place_.lemma};
+  frame.next = {place_.literal + 1, place_.frame, place_.lemma};
+  frame.marks = parent.marks | MarkOf(choice.goal.key / 2);
   frame.base = base;
   frame.left = parent.left == 0 ? 0 : parent.left - 1;
   frame.same = choice.same;
@@ -272,8 +268,7 @@ inline void Tableau::Open(const Choice& choice, const Entry& entry, std::uint32_
   frame.kept = static_cast<std::uint32_t>(choices_.size());
   frame.trail = choice.trail;
   frame.fresh = choice.variables;
-  frame.marks = parent.marks | MarkOf(choice.goal.key / 2);
-  place_ = {number, entry.body, place_.lemma};
+  place_ = {entry.body, number, place_.lemma};
 }
 
 std::size_t Tableau::bytes() const {

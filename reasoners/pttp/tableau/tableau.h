@@ -50,22 +50,23 @@ class Tableau {
   static std::uint64_t MarkOf(std::uint32_t number) { return std::uint64_t{1} << (number & 63U); }
   /// Where the search goes on: at an open literal of a clause copy.
   struct Place {
+    const MatrixLiteral* const* literal;  ///< In the body of an entry.
     std::uint32_t frame;
-    std::uint32_t literal;  ///< A place of a body of the matrix.
-    std::uint32_t lemma;    ///< The newest that holds there.
+    std::uint32_t lemma;  ///< The newest that holds there.
   };
   /// An open literal, as it was when the search came to it.
   struct Goal {
-    std::uint32_t key;
-    std::uint32_t arity;
-    std::uint32_t arguments;  ///< Where they are in the bindings.
+    const MatrixLiteral* literal;
     Fingerprint print;
+    std::uint32_t key;
+    std::uint32_t arguments;  ///< Where they are in the bindings.
   };
   /// A goal that was extended, and the clause copy whose other literals are then to be solved. The
   /// goals of the frames that `next` leads to are its ancestors.
   struct Frame {
     Goal goal;
     Place next;
+    std::uint64_t marks;  ///< Of the predicates of the goal and its ancestors.
     std::uint32_t base;
     std::uint32_t left;    ///< How many steps may still follow each other below it.
     std::uint32_t same;    ///< The nearest ancestor with the predicate of the goal.
@@ -73,15 +74,14 @@ class Tableau {
     std::uint32_t kept;    ///< Choices that an exclusive cut keeps.
     std::uint32_t trail;   ///< As it was when the goal was called.
     std::uint32_t fresh;   ///< Variables from here on are younger than the goal.
-    std::uint64_t marks;   ///< Of the predicates of the goal and its ancestors.
   };
   /// A goal and what has not been tried with it.
   struct Choice {
     Goal goal;
     Place place;
-    std::uint32_t same;        ///< The nearest ancestor with the goal's predicate.
-    std::uint32_t ancestor;    ///< The next to try, of those with the goal's predicate.
-    std::uint32_t connection;  ///< The next to try.
+    const Connection* connection;  ///< The next to try; null: none.
+    std::uint32_t same;            ///< The nearest ancestor with the goal's predicate.
+    std::uint32_t ancestor;        ///< The next to try, of those with the goal's predicate.
     std::uint32_t variables;
     std::uint32_t trail;
     std::uint32_t frames;
@@ -90,29 +90,31 @@ class Tableau {
   };
   struct Lemma {
     Goal goal;
-    std::uint32_t next;
     std::uint64_t marks;  ///< Of the signed predicates of this and all older ones.
+    std::uint32_t next;
   };
   struct Step {
-    std::uint32_t entry;
+    const Entry* entry;
     std::uint32_t base;
   };
 
-  TableauEnd Run(std::uint32_t start);
-  void Begin(std::uint32_t start);
+  TableauEnd Run(const Entry& start);
+  void Begin(const Entry& start);
   bool Advance();
   bool Call();
+  bool CallConnections(Choice& choice);
   bool Retry();
   bool TryReductions();
   bool TryConnections();
-  bool TryEntry(const Choice& choice, std::uint32_t entry, std::uint32_t height);
+  bool TryEntry(const Choice& choice, const Entry& entry, std::uint32_t height);
   void Open(const Choice& choice, const Entry& entry, std::uint32_t base, std::uint32_t height);
   void SolvedAtOnce(const Choice& choice, std::uint32_t height);
   void Leave();
+  bool Same(const Goal& earlier, const Goal& goal);
   bool IsIrregular(const Goal& goal, std::uint32_t& same);
   bool IsLemma(const Goal& goal);
-  std::uint32_t NextFitting(const MatrixLiteral& goal, const Fingerprint& print,
-                            std::uint32_t from, bool free_only) const;
+  /// The first connection from `from` on that the goal's functors allow; null: none.
+  const Connection* NextFitting(const Goal& goal, const Connection* from) const;
   void Rewind(const Choice& choice);
   std::size_t bytes() const;
   ClauseInstance InstanceOf(const Step& step, std::vector<std::uint32_t>& variables) const;
