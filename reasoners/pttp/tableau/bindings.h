@@ -28,22 +28,23 @@ class Bindings {
     return values_.bytes() + trail_.bytes() + pairs_.bytes() + visits_.bytes();
   }
 
-  /// One more copy of a clause: its variables after a cell that says whether a term with any of
-  /// them was ever the value of a variable.
+  /// One more copy of a clause: its variables, after a cell that says whether a term with any of
+  /// them was ever the value of a variable that a goal or its arguments lead to.
   std::uint32_t Allocate(std::uint32_t slots) {
     const std::uint32_t base = size();
     Instance* fresh = values_.Extend(slots + 1);
-    for (std::uint32_t i = 0; i <= slots; ++i) fresh[i] = {};
+    for (std::uint32_t i = 0; i < values_.kSlack; ++i) fresh[i] = {};
+    for (std::uint32_t i = values_.kSlack; i <= slots; ++i) fresh[i] = {};
     return base;
   }
   /// Puts the arguments of a goal on top, as they are now.
-  Fingerprint PushArguments(const MatrixLiteral& goal, std::uint32_t base) {
+  [[gnu::always_inline]] Fingerprint PushArguments(const MatrixLiteral& goal, std::uint32_t base) {
     Instance* arguments = values_.Extend(goal.arity);
     const Cell* cells = cells_ + goal.arguments;
     for (std::uint32_t i = 0; i < goal.given; ++i) arguments[i] = {cells[i], base};
     Fingerprint print = goal.print;
     for (const Probe* probe = goal.probes; probe != goal.probes_end; ++probe) {
-      const Instance term = Resolve({probe->variable, base});
+      const Instance term = ResolveVariable({probe->variable, base});
       if (probe->argument != Probe::kNone) arguments[probe->argument] = term;
       if (IsVariable(term.cell) || probe->place == Fingerprint::kPlaces) continue;
       const Cell* block = BlockOfCell(cells_, term.cell);
@@ -74,12 +75,7 @@ class Bindings {
 
   static std::uint32_t VariableOf(Instance term) { return term.base + (term.cell >> 2U); }
   Instance Resolve(Instance term) const {
-    while (IsVariable(term.cell)) {
-      const Instance next = values_[VariableOf(term)];
-      if (next.cell == 0) return term;
-      term = next;
-    }
-    return term;
+    return IsVariable(term.cell) ? ResolveVariable(term) : term;
   }
 
   /// Unifies a head, whose copy is at `base`, with the pushed arguments of a goal. Bindings made
@@ -115,19 +111,26 @@ class Bindings {
     Instance right;
   };
 
-  /// Gives a variable that needs no trail its value.
-  void Assign(std::uint32_t variable, Instance value) {
-    values_[variable] = value;
-    values_[value.base].cell |= ~value.cell & kGroundTag;
+  Instance ResolveVariable(Instance term) const {
+    for (;;) {
+      const Instance next = values_[VariableOf(term)];
+      if (next.cell == 0) return term;
+      term = next;
+      if (!IsVariable(term.cell)) return term;
+    }
   }
+  /// Notes that a variable leads to the value.
+  void Reach(Instance value) { values_[value.base].cell |= ~value.cell & kGroundTag; }
   void Bind(Instance variable, Instance value) {
     const std::uint32_t number = VariableOf(variable);
-    Assign(number, value);
+    values_[number] = value;
+    Reach(value);
     if (number < mark_) trail_.Push(number);
   }
   bool UnifyArgument(HeadArgument head, std::uint32_t base, Instance goal) {
-    if (head.step == HeadStep::kFirst) {
-      Assign(base + (head.cell >> 2U), goal);
+    if (head.step <= HeadStep::kFirst) {
+      values_[base + (head.cell >> 2U)] = goal;
+      if (head.step == HeadStep::kFirst) Reach(goal);
       return true;
     }
     const Instance term{head.cell, base};

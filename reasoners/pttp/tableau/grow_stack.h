@@ -16,7 +16,10 @@ class GrowStack {
  public:
   static_assert(std::is_trivially_copyable_v<Value>);
 
-  GrowStack() : storage_(kFirst), data_(storage_.data()), capacity_(kFirst) {}
+  /// So many values past the last one may be written to.
+  static constexpr std::size_t kSlack = 4;
+
+  GrowStack() : storage_(kFirst + kSlack), data_(storage_.data()), capacity_(kFirst) {}
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
@@ -32,10 +35,7 @@ class GrowStack {
   Value Pop() { return data_[--size_]; }
   void Truncate(std::size_t size) { size_ = size; }
   /// The next one, to be written before it is pushed by Extend(1).
-  Value& Top() {
-    if (size_ == capacity_) Grow(1);
-    return data_[size_];
-  }
+  Value& Next() { return data_[size_]; }
   /// Room for `count` more, their values left as they are.
   Value* Extend(std::size_t count) {
     if (size_ + count > capacity_) Grow(count);
@@ -49,7 +49,7 @@ class GrowStack {
 
   void Grow(std::size_t count) {
     capacity_ = std::max(2 * capacity_, size_ + count);
-    storage_.resize(capacity_);
+    storage_.resize(capacity_ + kSlack);
     data_ = storage_.data();
   }
 

@@ -5,87 +5,12 @@
 #include <map>
 #include <utility>
 
+#include "reasoners/pttp/tableau/cell_writer.h"
+
 namespace latchwork::pttp {
-namespace {
 
 using logic::Clause;
 using logic::Term;
-
-/// Compiles clauses into cells; only needed while a matrix is made.
-class CellWriter {
- public:
-  CellWriter(std::vector<Cell>& cells, std::vector<logic::Term>& functors)
-      : cells_(cells), functors_(functors) {}
-
-  Cell Write(const Term& term) {
-    if (term.kind() != Term::Kind::kCompound) return WriteAtomic(term);
-    std::vector<Pending> stack;
-    stack.push_back({&term, {}});
-    for (;;) {
-      Pending& top = stack.back();
-      const auto arguments = top.term->arguments();
-      if (top.cells.size() < arguments.size()) {
-        const Term& next = arguments[top.cells.size()];
-        if (next.kind() == Term::Kind::kCompound) {
-          stack.push_back({&next, {}});
-        } else {
-          top.cells.push_back(WriteAtomic(next));
-        }
-        continue;
-      }
-      const Cell made = WriteCompound(*top.term, top.cells);
-      stack.pop_back();
-      if (stack.empty()) return made;
-      stack.back().cells.push_back(made);
-    }
-  }
-
- private:
-  struct Pending {
-    const Term* term;
-    std::vector<Cell> cells;
-  };
-
-  Cell WriteAtomic(const Term& term) {
-    if (term.is_variable()) return CellOfSlot(term.variable());
-    return WriteBlock({Functor(term, 0)}, true);
-  }
-
-  Cell WriteCompound(const Term& term, const std::vector<Cell>& arguments) {
-    std::vector<Cell> block{
-        Functor(Term::Constant(term.symbol()), static_cast<std::uint32_t>(arguments.size()))};
-    block.insert(block.end(), arguments.begin(), arguments.end());
-    return WriteBlock(std::move(block), std::all_of(arguments.begin(), arguments.end(), IsGround));
-  }
-
-  /// A functor and its arguments.
-  Cell WriteBlock(std::vector<Cell> block, bool ground) {
-    if (ground) {
-      if (const auto known = ground_.find(block); known != ground_.end()) return known->second;
-    }
-    const auto offset = static_cast<std::uint32_t>(cells_.size());
-    cells_.push_back(block.front());
-    cells_.push_back(static_cast<Cell>(block.size() - 1));
-    cells_.insert(cells_.end(), block.begin() + 1, block.end());
-    const Cell made = (offset << 2U) | (ground ? kGroundTag : kOpenTag);
-    if (ground) ground_.emplace(std::move(block), made);
-    return made;
-  }
-
-  std::uint32_t Functor(const Term& head, std::uint32_t arity) {
-    const auto [place, added] =
-        numbers_.try_emplace({head, arity}, static_cast<std::uint32_t>(functors_.size()));
-    if (added) functors_.push_back(head);
-    return place->second;
-  }
-
-  std::vector<Cell>& cells_;
-  std::vector<Term>& functors_;
-  std::map<std::pair<Term, std::uint32_t>, std::uint32_t> numbers_;
-  std::map<std::vector<Cell>, Cell> ground_;
-};
-
-}  // namespace
 
 Matrix::Matrix(std::span<const Clause> clauses, const Strategy& strategy) {
   cells_.push_back(0);
@@ -160,7 +85,7 @@ const Entry* Matrix::AddEntry(const ClauseRange& clause, const MatrixLiteral* he
     });
   }
   bodies_.push_back(nullptr);
-  if (head != nullptr) entry.head = AddHead(*head, clause.slots);
+  if (head != nullptr) entry.head = AddHead(*head, entry);
   return &entries_.emplace_back(entry);
 }
 
@@ -201,13 +126,17 @@ bool Matrix::TakesNewOnly(Cell argument, std::vector<bool>& seen) const {
   return all_new;
 }
 
-const HeadArgument* Matrix::AddHead(const MatrixLiteral& head, std::uint32_t slots) {
+const HeadArgument* Matrix::AddHead(const MatrixLiteral& head, const Entry& entry) {
   const HeadArgument* first = heads_.data() + heads_.size();
-  std::vector<bool> seen(slots, false);
+  const Cell* arguments = cells() + head.arguments;
+  const bool flat = std::all_of(arguments, arguments + head.arity,
+                                [](Cell cell) { return IsVariable(cell) || IsGround(cell); });
+  const HeadStep first_step = entry.unit && flat ? HeadStep::kAside : HeadStep::kFirst;
+  std::vector<bool> seen(entry.slots, false);
   for (std::uint32_t i = 0; i < head.arity; ++i) {
-    const Cell cell = cells_[head.arguments + i];
+    const Cell cell = arguments[i];
     HeadStep step = HeadStep::kAny;
-    if (TakesNewOnly(cell, seen)) step = IsVariable(cell) ? HeadStep::kFirst : HeadStep::kNew;
+    if (TakesNewOnly(cell, seen)) step = IsVariable(cell) ? first_step : HeadStep::kNew;
     if (IsGround(cell)) step = HeadStep::kGround;
     heads_.push_back({cell, step});
   }

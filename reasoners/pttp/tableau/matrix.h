@@ -50,6 +50,7 @@ struct MatrixLiteral {
 
 /// What unification does at an argument of a head, whose clause copy is new.
 enum class HeadStep : std::uint8_t {
+  kAside,   ///< The same as kFirst where no other term will ever lead to the variable.
   kFirst,   ///< A variable that occurs here for the first time: it gets the goal's argument.
   kGround,  ///< A term without variables.
   kNew,     ///< A compound term whose variables are all new and different: no occurs check.
@@ -119,7 +120,7 @@ class Matrix {
   void AddEntries(const Strategy& strategy);
   const Entry* AddEntry(const ClauseRange& clause, const MatrixLiteral* head,
                         const Strategy& strategy);
-  const HeadArgument* AddHead(const MatrixLiteral& head, std::uint32_t slots);
+  const HeadArgument* AddHead(const MatrixLiteral& head, const Entry& entry);
   bool TakesNewOnly(Cell argument, std::vector<bool>& seen) const;
   void ChooseStarts(std::span<const logic::Clause> clauses, const Strategy& strategy);
   void FindConnections(const MatrixLiteral& goal);

@@ -7,7 +7,6 @@
 namespace latchwork::pttp {
 namespace {
 
-constexpr std::uint64_t kPollPeriod = 4096;
 constexpr std::uint32_t kMostTrailLooked = 256;
 
 }  // namespace
@@ -55,21 +54,21 @@ void Tableau::Begin(const Entry& start) {
 
 TableauEnd Tableau::Run(const Entry& start) {
   Begin(start);
-  bool forward = true;
-  for (;;) {
+  while (Advance()) {
     if (inferences_ >= strategy_.inferences) return TableauEnd::kStopped;
-    if (++polls_ % kPollPeriod == 0) {
+    if (++steps_taken_ >= next_poll_) {
+      next_poll_ = steps_taken_ + kPollPeriod;
       if (stop_()) return TableauEnd::kStopped;
       if (bytes() > memory_bytes_) return TableauEnd::kMemory;
     }
-    if (!forward) {
+    bool forward = Call();
+    while (!forward) {
       if (choices_.empty()) return TableauEnd::kSaturated;
+      ++steps_taken_;
       forward = Retry();
-      continue;
     }
-    if (!Advance()) return TableauEnd::kClosed;
-    forward = Call();
   }
+  return TableauEnd::kClosed;
 }
 
 /// To the next open goal; false when there is none.
@@ -96,9 +95,16 @@ void Tableau::Leave() {
   }
   place_ = frame.next;
   if (strategy_.lemmata) {
-    const std::uint64_t older = place_.lemma == kNone ? 0 : lemmata_[place_.lemma].marks;
-    lemmata_.Push({frame.goal, older | MarkOf(frame.goal.key), place_.lemma});
-    place_.lemma = static_cast<std::uint32_t>(lemmata_.size() - 1);
+    const auto number = static_cast<std::uint32_t>(lemmata_.size());
+    Lemma& lemma = *lemmata_.Extend(1);
+    lemma.goal = frame.goal;
+    if (place_.lemma == kNone) {
+      lemma.newest.fill(kNone);
+    } else {
+      lemma.newest = lemmata_[place_.lemma].newest;
+    }
+    lemma.next = std::exchange(lemma.newest[KindOf(frame.goal)], number);
+    place_.lemma = number;
   }
 }
 
@@ -121,28 +127,30 @@ inline bool Tableau::IsIrregular(const Goal& goal, std::uint32_t& same) {
 }
 
 inline bool Tableau::IsLemma(const Goal& goal) {
-  if (place_.lemma == kNone || (lemmata_[place_.lemma].marks & MarkOf(goal.key)) == 0) {
-    return false;
-  }
-  for (std::uint32_t i = place_.lemma; i != kNone; i = lemmata_[i].next) {
+  if (place_.lemma == kNone) return false;
+  std::uint32_t i = lemmata_[place_.lemma].newest[KindOf(goal)];
+  for (; i != kNone; i = lemmata_[i].next) {
     if (Same(lemmata_[i].goal, goal)) return true;
   }
   return false;
 }
 
-inline const Connection* Tableau::NextFitting(const Goal& goal, const Connection* from) const {
-  const bool free_only = cut_off_ && frames_[place_.frame].left == 0;
-  const Connection* end = free_only ? goal.literal->free_end : goal.literal->end;
+inline const Connection* Tableau::NextFitting(const Goal& goal, const Connection* from,
+                                              const Connection* end) {
   for (; from < end; ++from) {
     if (!goal.print.Clashes(from->head)) return from;
   }
   return nullptr;
 }
 
+inline const Connection* Tableau::EndOfConnections(const MatrixLiteral& literal) const {
+  return cut_off_ && frames_[place_.frame].left == 0 ? literal.free_end : literal.end;
+}
+
 bool Tableau::Call() {
   const MatrixLiteral& literal = **place_.literal;
   matrix_.Connect(literal);
-  Choice& choice = choices_.Top();
+  Choice& choice = choices_.Next();
   Goal& goal = choice.goal;
   goal.literal = &literal;
   goal.key = literal.key;
@@ -153,7 +161,8 @@ bool Tableau::Call() {
     ++place_.literal;
     return true;
   }
-  choice.connection = NextFitting(goal, literal.first);
+  const Connection* end = EndOfConnections(literal);
+  choice.connection = NextFitting(goal, literal.first, end);
   if (choice.connection == nullptr && choice.same == kNone) return false;
   choice.ancestor = choice.same;
   choice.place = place_;
@@ -163,16 +172,16 @@ bool Tableau::Call() {
   choice.steps = static_cast<std::uint32_t>(steps_.size());
   choice.lemmata = static_cast<std::uint32_t>(lemmata_.size());
   bindings_.TrailBelow(choice.variables);
-  if (choice.same == kNone) return CallConnections(choice);
+  if (choice.same == kNone) return CallConnections(choice, end);
   choices_.Extend(1);
   return TryReductions() || TryConnections();
 }
 
 /// With what is tried last there is no choice.
-inline bool Tableau::CallConnections(Choice& choice) {
+inline bool Tableau::CallConnections(Choice& choice, const Connection* end) {
   const auto height = static_cast<std::uint32_t>(choices_.size());
   const Entry& entry = *choice.connection->entry;
-  choice.connection = NextFitting(choice.goal, choice.connection + 1);
+  choice.connection = NextFitting(choice.goal, choice.connection + 1, end);
   if (choice.connection == nullptr) return TryEntry(choice, entry, height);
   choices_.Extend(1);
   return TryEntry(choice, entry, height) || TryConnections();
@@ -222,7 +231,8 @@ inline bool Tableau::TryConnections() {
   Choice& choice = choices_.back();
   while (choice.connection != nullptr) {
     const Entry& entry = *choice.connection->entry;
-    choice.connection = NextFitting(choice.goal, choice.connection + 1);
+    choice.connection =
+        NextFitting(choice.goal, choice.connection + 1, EndOfConnections(*choice.goal.literal));
     if (choice.connection == nullptr) {
       choices_.Pop();
       return TryEntry(choice, entry, height);

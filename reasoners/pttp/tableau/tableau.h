@@ -2,6 +2,7 @@
 #ifndef LATCHWORK_PTTP_TABLEAU_TABLEAU_H_
 #define LATCHWORK_PTTP_TABLEAU_TABLEAU_H_
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -46,6 +47,7 @@ class Tableau {
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffU;
+  static constexpr std::uint64_t kPollPeriod = 4096;
   /// A bit by which most walks along a branch or through lemmata are found to be needless.
   static std::uint64_t MarkOf(std::uint32_t number) { return std::uint64_t{1} << (number & 63U); }
   /// Where the search goes on: at an open literal of a clause copy.
@@ -88,10 +90,13 @@ class Tableau {
     std::uint32_t steps;
     std::uint32_t lemmata;
   };
+  /// By signed predicate, so that few lemmata of other predicates are looked at.
+  using LemmaKinds = std::array<std::uint32_t, 8>;
+  static std::size_t KindOf(const Goal& goal) { return goal.key % LemmaKinds{}.size(); }
   struct Lemma {
     Goal goal;
-    std::uint64_t marks;  ///< Of the signed predicates of this and all older ones.
-    std::uint32_t next;
+    std::uint32_t next;  ///< The next older one of the same kind.
+    LemmaKinds newest;   ///< Of each kind, of this and all older ones.
   };
   struct Step {
     const Entry* entry;
@@ -102,7 +107,7 @@ class Tableau {
   void Begin(const Entry& start);
   bool Advance();
   bool Call();
-  bool CallConnections(Choice& choice);
+  bool CallConnections(Choice& choice, const Connection* end);
   bool Retry();
   bool TryReductions();
   bool TryConnections();
@@ -114,7 +119,9 @@ class Tableau {
   bool IsIrregular(const Goal& goal, std::uint32_t& same);
   bool IsLemma(const Goal& goal);
   /// The first connection from `from` on that the goal's functors allow; null: none.
-  const Connection* NextFitting(const Goal& goal, const Connection* from) const;
+  static const Connection* NextFitting(const Goal& goal, const Connection* from,
+                                       const Connection* end);
+  const Connection* EndOfConnections(const MatrixLiteral& literal) const;
   void Rewind(const Choice& choice);
   std::size_t bytes() const;
   ClauseInstance InstanceOf(const Step& step, std::vector<std::uint32_t>& variables) const;
@@ -134,7 +141,8 @@ class Tableau {
   bool cut_off_ = false;
   bool pruned_ = false;
   std::uint64_t inferences_ = 0;
-  std::uint64_t polls_ = 0;
+  std::uint64_t steps_taken_ = 0;
+  std::uint64_t next_poll_ = kPollPeriod;
 };
 
 }  // namespace latchwork::pttp
