@@ -33,8 +33,8 @@ class Bindings {
   std::uint32_t Allocate(std::uint32_t slots) {
     const std::uint32_t base = size();
     Instance* fresh = values_.Extend(slots + 1);
-    for (std::uint32_t i = 0; i < values_.kSlack; ++i) fresh[i] = {};
-    for (std::uint32_t i = values_.kSlack; i <= slots; ++i) fresh[i] = {};
+    for (std::uint32_t i = 0; i < GrowStack<Instance>::kSlack; ++i) fresh[i] = {};
+    for (std::uint32_t i = GrowStack<Instance>::kSlack; i <= slots; ++i) fresh[i] = {};
     return base;
   }
   /// Puts the arguments of a goal on top, as they are now.

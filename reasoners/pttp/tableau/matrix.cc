@@ -266,7 +266,7 @@ std::size_t Matrix::bytes() const {
   return connections + cells_.capacity() * sizeof(Cell) +
          literals_.capacity() * sizeof(MatrixLiteral) + entries_.capacity() * sizeof(Entry) +
          heads_.capacity() * sizeof(HeadArgument) + probes_.capacity() * sizeof(Probe) +
-         bodies_.capacity() * sizeof(MatrixLiteral*);
+         bodies_.capacity() * sizeof(void*);
 }
 
 }  // namespace latchwork::pttp

@@ -78,8 +78,11 @@ struct Entry {
 class Matrix {
  public:
   Matrix(std::span<const logic::Clause> clauses, const Strategy& strategy);
+  ~Matrix() = default;
   Matrix(const Matrix&) = delete;
   Matrix& operator=(const Matrix&) = delete;
+  Matrix(Matrix&&) = default;
+  Matrix& operator=(Matrix&&) = default;
 
   const Cell* cells() const { return cells_.data(); }
   /// Sees to the connections of a literal.

@@ -52,55 +52,55 @@ class Tableau {
   static std::uint64_t MarkOf(std::uint32_t number) { return std::uint64_t{1} << (number & 63U); }
   /// Where the search goes on: at an open literal of a clause copy.
   struct Place {
-    const MatrixLiteral* const* literal;  ///< In the body of an entry.
-    std::uint32_t frame;
-    std::uint32_t lemma;  ///< The newest that holds there.
+    const MatrixLiteral* const* literal = nullptr;  ///< In the body of an entry.
+    std::uint32_t frame = 0;
+    std::uint32_t lemma = 0;  ///< The newest that holds there.
   };
   /// An open literal, as it was when the search came to it.
   struct Goal {
-    const MatrixLiteral* literal;
+    const MatrixLiteral* literal = nullptr;
     Fingerprint print;
-    std::uint32_t key;
-    std::uint32_t arguments;  ///< Where they are in the bindings.
+    std::uint32_t key = 0;
+    std::uint32_t arguments = 0;  ///< Where they are in the bindings.
   };
   /// A goal that was extended, and the clause copy whose other literals are then to be solved. The
   /// goals of the frames that `next` leads to are its ancestors.
   struct Frame {
     Goal goal;
     Place next;
-    std::uint64_t marks;  ///< Of the predicates of the goal and its ancestors.
-    std::uint32_t base;
-    std::uint32_t left;    ///< How many steps may still follow each other below it.
-    std::uint32_t same;    ///< The nearest ancestor with the predicate of the goal.
-    std::uint32_t height;  ///< Choices that were there before the goal was called.
-    std::uint32_t kept;    ///< Choices that an exclusive cut keeps.
-    std::uint32_t trail;   ///< As it was when the goal was called.
-    std::uint32_t fresh;   ///< Variables from here on are younger than the goal.
+    std::uint64_t marks = 0;  ///< Of the predicates of the goal and its ancestors.
+    std::uint32_t base = 0;
+    std::uint32_t left = 0;    ///< How many steps may still follow each other below it.
+    std::uint32_t same = 0;    ///< The nearest ancestor with the predicate of the goal.
+    std::uint32_t height = 0;  ///< Choices that were there before the goal was called.
+    std::uint32_t kept = 0;    ///< Choices that an exclusive cut keeps.
+    std::uint32_t trail = 0;   ///< As it was when the goal was called.
+    std::uint32_t fresh = 0;   ///< Variables from here on are younger than the goal.
   };
   /// A goal and what has not been tried with it.
   struct Choice {
     Goal goal;
     Place place;
-    const Connection* connection;  ///< The next to try; null: none.
-    std::uint32_t same;            ///< The nearest ancestor with the goal's predicate.
-    std::uint32_t ancestor;        ///< The next to try, of those with the goal's predicate.
-    std::uint32_t variables;
-    std::uint32_t trail;
-    std::uint32_t frames;
-    std::uint32_t steps;
-    std::uint32_t lemmata;
+    const Connection* connection = nullptr;  ///< The next to try; null: none.
+    std::uint32_t same = 0;                  ///< The nearest ancestor with the goal's predicate.
+    std::uint32_t ancestor = 0;  ///< The next to try, of those with the goal's predicate.
+    std::uint32_t variables = 0;
+    std::uint32_t trail = 0;
+    std::uint32_t frames = 0;
+    std::uint32_t steps = 0;
+    std::uint32_t lemmata = 0;
   };
   /// By signed predicate, so that few lemmata of other predicates are looked at.
   using LemmaKinds = std::array<std::uint32_t, 8>;
   static std::size_t KindOf(const Goal& goal) { return goal.key % LemmaKinds{}.size(); }
   struct Lemma {
     Goal goal;
-    std::uint32_t next;  ///< The next older one of the same kind.
-    LemmaKinds newest;   ///< Of each kind, of this and all older ones.
+    std::uint32_t next = 0;  ///< The next older one of the same kind.
+    LemmaKinds newest{};     ///< Of each kind, of this and all older ones.
   };
   struct Step {
-    const Entry* entry;
-    std::uint32_t base;
+    const Entry* entry = nullptr;
+    std::uint32_t base = 0;
   };
 
   TableauEnd Run(const Entry& start);
