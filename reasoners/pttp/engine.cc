@@ -135,11 +135,15 @@ Engine::KnownReach& Engine::FindReachFor(std::span<const Contrapositive* const> 
   for (const auto& known : reaches_) {
     if (known->key == reach_key_) return *known;
   }
-  reaches_.push_back(std::make_unique<KnownReach>(
-      KnownReach{reach_key_, FindReach(*program_, predicates_, starts, closing), nullptr}));
+  reaches_.push_back(std::make_unique<KnownReach>(KnownReach{
+      reach_key_, FindReach(*program_, predicates_, starts, closing), nullptr, nullptr}));
   KnownReach& made = *reaches_.back();
   made.program = std::make_unique<TableProgram>(predicates_, made.reach, options_.reorder);
   if (!options_.tables) made.program->GiveUp();
+  if (options_.states && made.reach.recursive) {
+    made.plan_space = std::make_unique<PlanSpace>(predicates_, made.reach);
+    if (!made.plan_space->rules().fits()) made.plan_space.reset();
+  }
   return made;
 }
 

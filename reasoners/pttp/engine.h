@@ -22,6 +22,7 @@
 #include "reasoners/pttp/machine.h"
 #include "reasoners/pttp/meter.h"
 #include "reasoners/pttp/oracles.h"
+#include "reasoners/pttp/plan_space.h"
 #include "reasoners/pttp/predicate_set.h"
 #include "reasoners/pttp/predicates.h"
 #include "reasoners/pttp/program.h"
@@ -38,6 +39,7 @@ struct EngineOptions {
   bool reorder = true;
   bool cache_attachments = true;
   bool tables = true;
+  bool states = true;
 };
 
 /// How many proofs of a query are wanted.
@@ -131,6 +133,7 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
     std::vector<std::uint32_t> key;
     Reach reach;
     std::unique_ptr<TableProgram> program;
+    std::unique_ptr<PlanSpace> plan_space;
   };
   struct ClosingRecord {
     Closing closing;
@@ -145,6 +148,7 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
   class ProvedSink;
   class AnswerKeeper;
   class OutputCollector;
+  class Grounder;
 
   void ForEachProvable(std::span<const logic::Literal> query, std::size_t variables,
                        sdk::AnswerSink& sink) override;
@@ -156,6 +160,11 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
   void AskAnew(AskedQuery& asked);
   std::optional<SearchEnd> SolveByTables(Query& query, std::span<const Word> given,
                                          ProofSink& sink);
+  /// By situations that are told apart by what holds in them. Nothing: that cannot tell.
+  std::optional<SearchEnd> SolveBySituations(Query& query, Wanted wanted, std::uint32_t depth,
+                                             ProofSink& sink);
+  bool MakeSituations(PlanSpace& space, std::uint32_t depth);
+  const StandIns& StandInsFor(PredicateId fluent);
   SearchEnd SolveBySearch(Query& query, std::uint32_t depth, bool record, ProofSink& sink);
   KnownReach& FindReachFor(std::span<const Contrapositive* const> starts, bool closing);
   void ForgetReaches();
@@ -189,6 +198,9 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
   Meter meter_;
   FailureCache failures_;
   Tables tables_;
+  FactSource* hidden_ = nullptr;     ///< Of the stand-ins.
+  std::vector<StandIns> stand_ins_;  ///< By fluent.
+  bool grounding_ = false;
   std::vector<std::unique_ptr<Nest>> nests_;
   std::size_t depth_ = 0;
   std::uint64_t decision_ = 0;

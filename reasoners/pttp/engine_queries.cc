@@ -10,6 +10,8 @@ bool Engine::Prepare(Query& query) {
     KnownReach& known = FindReachFor(query.request.starts, query.closing);
     query.request.reach = query.reach = &known.reach;
     query.program = known.program.get();
+    query.plan_space = known.plan_space.get();
+    if (query.plan_space != nullptr) query.use = query.plan_space->rules().UseOf(query.clause);
     query.fits =
         known.program->fits() && known.program->PlanQuery(query.clause, query.is_given, query.plan);
     query.reach_version = reach_version_;
@@ -35,6 +37,7 @@ SearchEnd Engine::SolveBySearch(Query& query, std::uint32_t depth, bool record, 
 
 SearchEnd Engine::Solve(Query& query, Wanted wanted, std::uint32_t depth, ProofSink& sink) {
   if (!Prepare(query)) return SearchEnd::kExhausted;
+  if (const auto end = SolveBySituations(query, wanted, depth, sink)) return *end;
   // The first proof of a recursive goal is the shallowest one, which tables do not know.
   const bool search_first = wanted == Wanted::kFirst && query.reach->recursive;
   if (!search_first) {

@@ -172,8 +172,17 @@ FactSource::Entry& FactStore::EntryOf(FactSource& source, const logic::Predicate
 }
 
 FactSource::Entry& FactStore::AddTable(FactSource& source, const logic::PredicateName& name) {
-  const PredicateId predicate = predicates_->Number(name);
   source.last_ = source.tables_.size();
+  AddTable(source, predicates_->Number(name), name);
+  return source.tables_.back();
+}
+
+FactTable& FactStore::AddHiddenTable(FactSource& source, PredicateId predicate) {
+  return AddTable(source, predicate, (*predicates_)[predicate].name);
+}
+
+FactTable& FactStore::AddTable(FactSource& source, PredicateId predicate,
+                               const logic::PredicateName& name) {
   source.tables_.push_back({name, predicate, std::make_unique<FactTable>(name.arity)});
   if (predicate >= by_predicate_.size()) by_predicate_.resize(predicate + 1);
   auto& entries = by_predicate_[predicate];
@@ -181,7 +190,7 @@ FactSource::Entry& FactStore::AddTable(FactSource& source, const logic::Predicat
     return entry.source->order_ > source.order_;
   });
   entries.insert(later, {&source, source.tables_.back().table.get()});
-  return source.tables_.back();
+  return *source.tables_.back().table;
 }
 
 bool FactStore::NoteFacts(PredicateId predicate) {

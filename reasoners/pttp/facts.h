@@ -119,6 +119,9 @@ class FactStore {
   /// before.
   bool Replace(FactSource& source, std::span<const logic::Fact> facts);
 
+  /// A table of the source for rows that are no facts of anybody's.
+  FactTable& AddHiddenTable(FactSource& source, PredicateId predicate);
+
   /// Counts changes of facts. What was found out at one time stands while no predicate that it
   /// rests on has changed since.
   std::uint64_t now() const { return now_; }
@@ -138,6 +141,7 @@ class FactStore {
  private:
   FactSource::Entry& EntryOf(FactSource& source, const logic::PredicateName& name);
   FactSource::Entry& AddTable(FactSource& source, const logic::PredicateName& name);
+  FactTable& AddTable(FactSource& source, PredicateId predicate, const logic::PredicateName& name);
   bool NoteFacts(PredicateId predicate);
   void NoteChange(const FactSource& source, PredicateId predicate);
 

@@ -22,6 +22,7 @@ Machine::Machine(const Workshop& workshop)
 
 SearchEnd Machine::Search(const SearchRequest& request, ProofSink& sink) {
   reach_ = request.reach;
+  situations_ = request.situations;
   record_ = request.record;
   floundered_ = undetermined_ = false;
   unifier_.ForgetTrail();
@@ -33,14 +34,15 @@ SearchEnd Machine::Search(const SearchRequest& request, ProofSink& sink) {
     for (const Contrapositive* start : request.starts) {
       end = RunStart(*start, sink);
       shop_.heap->Release(mark);
-      if (end == SearchEnd::kAccepted || end == SearchEnd::kStopped) return end;
+      if (end != SearchEnd::kExhausted) return end;
     }
     if (!LevelIsComplete()) continue;
+    if (all_chosen_ != 0) return SearchEnd::kDoubtful;
     if (floundered_ || undetermined_) return SearchEnd::kUndetermined;
     shop_.failures->Settle(level_);
     return SearchEnd::kExhausted;
   }
-  return SearchEnd::kDepth;
+  return all_chosen_ != 0 ? SearchEnd::kDoubtful : SearchEnd::kDepth;
 }
 
 bool Machine::LevelIsComplete() const {
@@ -76,6 +78,7 @@ SearchEnd Machine::RunStart(const Contrapositive& start, ProofSink& sink) {
         forward = false;
         break;
       case Selection::kProof: {
+        if (all_chosen_ != chosen_) return end(SearchEnd::kDoubtful);
         const Activation& root = *continuation_.activation;
         if (sink.Accept({root.rule, root.slots, resting_, steps_, depth_})) {
           return end(SearchEnd::kAccepted);
@@ -128,7 +131,8 @@ bool Machine::CallOrdinary(Node& node) {
   std::uint32_t entry = kNoEntry;
   if (!reach_->reduction_free && RepeatsAncestor(node)) return false;
   if (reach_->reduction_free && HasRules(literal)) {
-    const std::uint64_t label = (std::uint64_t{key} << 1U) | (reach_->closing ? 1U : 0U);
+    const std::uint64_t label = (std::uint64_t{key} << 2U) | (situations_ != nullptr ? 2U : 0U) |
+                                (reach_->closing ? 1U : 0U);
     const auto found = shop_.failures->Enter(label, {node.arguments, literal.arity});
     node.ground = found.ground;
     entry = found.entry;
@@ -151,6 +155,8 @@ bool Machine::CallOrdinary(Node& node) {
   choice.ancestor = node.parent;
   choice.entry = entry;
   choice.depth = depth_;
+  choice.chosen = chosen_;
+  choice.all_chosen = all_chosen_;
   choice.cacheable = delayed_ == nullptr;
   choices_.push_back(choice);
   return Proceed();
@@ -180,6 +186,7 @@ bool Machine::Resume() {
   resting_ = choice.resting;
   steps_ = choice.steps;
   depth_ = choice.depth;
+  chosen_ = choice.chosen;
   return Proceed();
 }
 
@@ -204,6 +211,8 @@ bool Machine::TryPhase(Choice& choice) {
       return TryEquality(choice);
     case Phase::kReduction:
       return TryReduction(choice);
+    case Phase::kSituations:
+      return TrySituations(choice);
     case Phase::kFacts:
       return TryFacts(choice);
     case Phase::kComputed:
@@ -224,7 +233,8 @@ void Machine::Retreat(const Choice& choice) {
 }
 
 void Machine::Fail(Choice& choice) {
-  const bool certain = !choice.proved && choice.cacheable && !undetermined_ && !floundered_;
+  const bool certain = !choice.proved && choice.cacheable && !undetermined_ && !floundered_ &&
+                       choice.all_chosen == all_chosen_;
   if (choice.entry != kNoEntry && certain) {
     shop_.failures->MarkFailed(choice.entry, choice.node->remaining, !choice.cut, level_);
   }

@@ -14,6 +14,7 @@
 #include "reasoners/pttp/predicates.h"
 #include "reasoners/pttp/program.h"
 #include "reasoners/pttp/reach.h"
+#include "reasoners/pttp/situations.h"
 #include "reasoners/pttp/unifier.h"
 
 namespace latchwork::pttp {
@@ -72,6 +73,7 @@ class ProofSink {
 struct SearchRequest {
   std::vector<const Contrapositive*> starts;  ///< Tried in this order on every level.
   const Reach* reach = nullptr;
+  Situations* situations = nullptr;  ///< Where fluents are looked up; the reach is theirs.
   std::uint32_t depth = 64;
   bool record = false;
 };
@@ -81,6 +83,7 @@ enum class SearchEnd : std::uint8_t {
   kExhausted,     ///< There are no other proofs.
   kDepth,         ///< There may be proofs beyond the depth bound.
   kUndetermined,  ///< A literal never became ground, or could not be closed.
+  kDoubtful,      ///< Situations that were not looked at may make a difference.
   kStopped,       ///< The meter ran out.
 };
 
@@ -135,6 +138,7 @@ class Machine {
   enum class Phase : std::uint8_t {
     kEquality,
     kReduction,
+    kSituations,
     kFacts,
     kComputed,
     kRules,
@@ -156,6 +160,9 @@ class Machine {
     std::uint32_t rule = 0;
     std::uint32_t entry = 0;
     std::uint32_t depth = 0;
+    std::uint32_t question = kNoEntry;
+    std::uint32_t chosen = 0;      ///< How many choices the partial proof rests on.
+    std::uint64_t all_chosen = 0;  ///< How many there have been.
     Phase phase = Phase::kEquality;
     bool proved = false;
     bool cut = false;
@@ -193,6 +200,9 @@ class Machine {
   bool TryPhase(Choice& choice);
   bool TryEquality(Choice& choice);
   bool TryReduction(Choice& choice);
+  bool TrySituations(Choice& choice);
+  bool FindInstance(Choice& choice, Situations::Instance& instance);
+  bool Instantiate(Choice& choice, const Situations::Instance& instance);
   bool TryFacts(Choice& choice);
   bool TryComputed(Choice& choice);
   bool TryRules(Choice& choice);
@@ -211,6 +221,7 @@ class Machine {
   mutable Unifier unifier_;
   Calculator calculator_;
   const Reach* reach_ = nullptr;
+  Situations* situations_ = nullptr;
   bool record_ = false;
 
   Continuation continuation_{};
@@ -218,6 +229,8 @@ class Machine {
   const Resting* resting_ = nullptr;
   const Step* steps_ = nullptr;
   std::uint32_t depth_ = 0;
+  std::uint32_t chosen_ = 0;      ///< Choices of situations that the partial proof rests on.
+  std::uint64_t all_chosen_ = 0;  ///< Those of the level.
   Selected selected_{};
   std::vector<Choice> choices_;
 

@@ -134,6 +134,7 @@ Machine::Selection Machine::Select() {
 void Machine::BeginLevel(std::uint32_t depth) {
   cut_goals_.clear();
   cut_ = false;
+  all_chosen_ = 0;
   level_depth_ = depth;
   level_ = shop_.failures->BeginLevel();
 }
@@ -144,6 +145,7 @@ void Machine::Begin(const Contrapositive& start) {
   resting_ = nullptr;
   steps_ = nullptr;
   depth_ = 0;
+  chosen_ = 0;
   Word* slots = unifier_.MakeSlots(start.slots);
   const Activation* root =
       shop_.heap->Make(Activation{&start, slots, nullptr, Continuation{}, level_depth_});

@@ -19,4 +19,12 @@ PredicateId Predicates::Number(const logic::PredicateName& name) {
   return entry->second;
 }
 
+PredicateId Predicates::AddHidden(const logic::PredicateName& name) {
+  Info info;
+  info.name = name;
+  info.has_facts = true;
+  infos_.push_back(info);
+  return static_cast<PredicateId>(infos_.size() - 1);
+}
+
 }  // namespace latchwork::pttp

@@ -35,6 +35,8 @@ class Predicates {
   };
 
   PredicateId Number(const logic::PredicateName& name);
+  /// A predicate of facts that no clause can speak of, whatever its name.
+  PredicateId AddHidden(const logic::PredicateName& name);
   Info& operator[](PredicateId id) { return infos_[id]; }
   const Info& operator[](PredicateId id) const { return infos_[id]; }
   std::size_t size() const { return infos_.size(); }

@@ -11,9 +11,12 @@
 #include "latchwork/logic/term.h"
 #include "reasoners/pttp/arena.h"
 #include "reasoners/pttp/machine.h"
+#include "reasoners/pttp/situation_rules.h"
 #include "reasoners/pttp/table_plan.h"
 
 namespace latchwork::pttp {
+
+class PlanSpace;
 
 /// A start clause with what the engine found out about it; kept from cycle to cycle.
 struct Query {
@@ -28,6 +31,8 @@ struct Query {
   TableProgram* program = nullptr;
   TablePlan plan;
   bool fits = false;  ///< The plan may be used.
+  PlanSpace* plan_space = nullptr;
+  SituationUse use;  ///< Of the plan space.
   SearchRequest request;
 };
 

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_TESTS_REASONERS_PTTP_TOWER_H_
+#define LATCHWORK_TESTS_REASONERS_PTTP_TOWER_H_
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/reasoners/pttp/agent_mind.h"
+
+namespace latchwork::pttp {
+
+/// What is asked of the actions of layer 2 (plugins/elevators/elevators.p): the whole plan.
+inline constexpr std::string_view kPlanTo =
+    "fof(plan_to, axiom, ![T, S] : ((target_landmark(T) & robot_at(T, S)) => plan_to(S))).";
+
+/// A tower with sky lobbies: elevator i serves the floors from kFloors * i to kFloors * (i + 1), so
+/// that every lobby has two elevators. On each floor a corridor of kPlaces landmarks leads from one
+/// door to the other. A trip takes four actions: every elevator starts on a floor that is no lobby.
+struct Tower {
+  static constexpr int kFloors = 3;
+  static constexpr int kPlaces = 4;
+
+  /// As many trips as there is room for, the rest on foot.
+  explicit Tower(int plan_length) : steps(plan_length) {
+    elevators = 1;
+    while (Length(elevators + 1, 0, 0) <= steps) ++elevators;
+    const int walk = steps - Length(elevators, 0, 0);
+    walk_in = walk / 2;
+    walk_out = walk - walk_in;
+  }
+
+  static int Length(int trips, int in, int out) {
+    return 4 * trips + (kPlaces - 1) * (trips - 1) + in + out;
+  }
+  static std::string Place(int floor, int place) { return fmt::format("l{}_{}", floor, place); }
+  /// Elevator i stands at the end of the corridors where its passengers come from.
+  static int DoorOf(int elevator) { return elevator % 2 == 0 ? kPlaces - 1 : 0; }
+
+  std::string Start() const { return walk_in == 0 ? Place(0, DoorOf(0)) : In(walk_in); }
+  std::string Target() const {
+    return walk_out == 0 ? Place(elevators * kFloors, DoorOf(elevators - 1)) : Out(walk_out);
+  }
+
+  std::vector<std::string> Building() const {
+    std::vector<std::string> facts;
+    const auto join = [&](const std::string& a, const std::string& b) {
+      facts.push_back(fmt::format("adjacent({}, {})", a, b));
+      facts.push_back(fmt::format("adjacent({}, {})", b, a));
+    };
+    for (int floor = 0; floor <= elevators * kFloors; ++floor) {
+      for (int i = 1; i < kPlaces; ++i) join(Place(floor, i - 1), Place(floor, i));
+    }
+    for (int i = 0; i < elevators; ++i) {
+      facts.push_back(fmt::format("elevator(e{})", i));
+      facts.push_back(fmt::format("cab(e{}, c{})", i, i));
+      for (int floor = i * kFloors; floor <= (i + 1) * kFloors; ++floor) {
+        facts.push_back(
+            fmt::format("elevator_front(e{}, {}, {})", i, Place(floor, DoorOf(i)), floor));
+      }
+    }
+    for (int i = 1; i <= walk_in; ++i) {
+      join(In(i), i == 1 ? Place(0, DoorOf(0)) : In(i - 1));
+    }
+    for (int i = 1; i <= walk_out; ++i) {
+      join(Out(i), i == 1 ? Place(elevators * kFloors, DoorOf(elevators - 1)) : Out(i - 1));
+    }
+    return facts;
+  }
+  std::vector<std::string> Elevators() const {
+    std::vector<std::string> facts;
+    for (int i = 0; i < elevators; ++i) {
+      facts.push_back(fmt::format("elevator_at(e{}, {})", i, i * kFloors + 1));
+    }
+    return facts;
+  }
+
+  int steps;
+  int elevators;
+  int walk_in;
+  int walk_out;
+
+ private:
+  static std::string In(int i) { return fmt::format("in{}", i); }
+  static std::string Out(int i) { return fmt::format("out{}", i); }
+};
+
+/// Loads the domain of layer 2 with the question above.
+inline void LoadElevators(AgentMind& mind) {
+  mind.body.files.emplace_back(std::string(LATCHWORK_SOURCE_DIR) +
+                               "/plugins/elevators/elevators.p");
+  for (const char* name : {"curr_landmark", "elevator", "target_landmark", "shortest_plan"}) {
+    mind.Input(name, 1);
+  }
+  for (const char* name : {"elevator_at", "adjacent", "cab"}) mind.Input(name, 2);
+  mind.Input("elevator_front", 3);
+  mind.Input("landmark", 4);
+  for (const char* name : {"elevator_open", "elevator_out_of_order", "inside"}) {
+    mind.Input(name, 1);
+    mind.Minimize(name, 1);
+  }
+  mind.Minimize("same_elevator", 2);
+  mind.Goal("plan_to(S)");
+  mind.Load();
+}
+
+inline void EnterTower(AgentMind& mind, const Tower& tower) {
+  mind.Latch(0, tower.Building());
+  mind.Latch(1, tower.Elevators());
+  mind.Latch(2, {"curr_landmark(" + tower.Start() + ")"});
+  mind.Latch(3, {"target_landmark(" + tower.Target() + ")"});
+}
+
+}  // namespace latchwork::pttp
+
+#endif  // LATCHWORK_TESTS_REASONERS_PTTP_TOWER_H_
