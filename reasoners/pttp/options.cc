@@ -62,6 +62,9 @@ std::span<const sdk::ParameterSpec> LayerOptions() {
            "what was decided of a goal stands while no fact that it can see changes"),
       Flag("tables", true,
            "goals whose clauses allow it are answered from tables instead of by search"),
+      Flag("states", true,
+           "plans are searched among the states that situations have in common, where the rules "
+           "allow it"),
       Flag("reorder", true, "facts with a bound argument are looked up before rules are followed"),
       Number("consistency_inferences", Type::kInteger, "2000", 0, 1e9, "",
              "what a cycle spends on finding that body and latches contradict each other; 0: "

@@ -22,6 +22,7 @@ logic::Diagnostics PttpReasoner::Load(const sdk::Body& body, const sdk::Paramete
   options.reorder = parameters.Boolean("reorder");
   options.cache_attachments = parameters.Boolean("cache_attachments");
   options.tables = parameters.Boolean("tables");
+  options.states = parameters.Boolean("states");
   cache_decisions_ = parameters.Boolean("cache_decisions");
   equality_axioms_ = parameters.Boolean("equality_axioms");
   consistency_inferences_ =

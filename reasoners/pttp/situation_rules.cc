@@ -113,11 +113,16 @@ class SituationRules::Finder {
     return NumberOf(block[*hole + 1]);
   }
 
+  /// What shares a situation with a fluent is guessed to be a fluent.
   bool Spread(const Contrapositive& rule) {
-    if (!found_.IsFluent(rule.head.predicate)) return SpreadUp(rule);
-    const auto situation = SituationSlot(rule);
-    if (!situation) return false;
-    bool spread = false;
+    bool spread = !found_.IsFluent(rule.head.predicate) && SpreadToHead(rule);
+    std::optional<std::uint32_t> situation;
+    if (found_.IsFluent(rule.head.predicate)) {
+      situation = SituationSlot(rule);
+    } else {
+      situation = FluentSlot(rule);
+    }
+    if (!situation) return spread;
     for (const CompiledLiteral& literal : rule.body) {
       const auto place = PlaceOf(literal, *situation);
       if (!place || !MayBeFluent(literal)) continue;
@@ -126,13 +131,30 @@ class SituationRules::Finder {
     return spread;
   }
 
-  bool SpreadUp(const Contrapositive& rule) {
+  /// The situation of the first fluent of a body.
+  std::optional<std::uint32_t> FluentSlot(const Contrapositive& rule) const {
     for (const CompiledLiteral& literal : rule.body) {
       if (!literal.positive || !found_.IsFluent(literal.predicate)) continue;
       const Word word = literal.arguments[found_.PositionOf(literal.predicate)];
-      if (TagOf(word) != Tag::kSlot) continue;
-      const auto place = PlaceOf(rule.head, NumberOf(word));
-      if (place) return SetPosition(rule.head.predicate, *place);
+      if (TagOf(word) == Tag::kSlot) return NumberOf(word);
+    }
+    return std::nullopt;
+  }
+
+  bool SpreadToHead(const Contrapositive& rule) {
+    const auto situation = FluentSlot(rule);
+    for (std::uint32_t i = 0; i < rule.head.arity; ++i) {
+      Word word = rule.head.arguments[i];
+      if (TagOf(word) == Tag::kTemplate) {
+        const Word* block = AddressOf(word);
+        const auto hole = found_.HoleOf(block[0]);
+        if (!hole) continue;
+        word = block[*hole + 1];
+      } else if (!situation) {
+        continue;
+      }
+      if (TagOf(word) != Tag::kSlot || (situation && NumberOf(word) != *situation)) continue;
+      return SetPosition(rule.head.predicate, i);
     }
     return false;
   }

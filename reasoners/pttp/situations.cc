@@ -30,6 +30,12 @@ void Situations::AddInitially(Word situation, std::uint32_t atom) {
 
 void Situations::Begin() {
   graph_.Begin();
+  if (origins_.empty()) {
+    // What needs no beginning holds after any.
+    Word* any = ground_.terms().Allocate(1);
+    *any = Reference(any);
+    origins_.push_back({*any, kNoState, {}});
+  }
   for (Origin& origin : origins_) {
     origin.state = graph_.AddRoot(origin.atoms);
     situations_.resize(graph_.size(), 0);

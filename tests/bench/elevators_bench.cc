@@ -11,9 +11,9 @@
 namespace latchwork::pttp {
 namespace {
 
-/// A plan of so many actions through a tower; one elevator stands elsewhere in every cycle.
+/// A plan of so many actions through a tower; the elevators stand elsewhere in every cycle.
 void ElevatorPlan(benchmark::State& state) {
-  const Tower tower(static_cast<int>(state.range(0)));
+  const Tower tower(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   AgentMind mind("elevator_plan", kPlanTo);
   LoadElevators(mind);
   EnterTower(mind, tower);
@@ -22,25 +22,26 @@ void ElevatorPlan(benchmark::State& state) {
   Sample millis;
   int cycle = 0;
   for (auto _ : state) {
-    auto elevators = tower.Elevators();
-    elevators.back() = fmt::format("elevator_at(e{}, {})", tower.elevators - 1,
-                                   tower.elevators * Tower::kFloors - 1 - cycle++ % 2);
-    mind.Latch(1, elevators);
+    mind.Latch(1, tower.Elevators(cycle++));
     const double start = ThreadSeconds();
     mind.Decide();
     millis.Add((ThreadSeconds() - start) * 1e3);
   }
   millis.Report("ms", state);
   state.SetLabel(std::string(sdk::Name(mind.decision.status)));
-  state.counters["elevators"] = tower.elevators;
+  state.counters["elevators"] = tower.elevators();
   state.counters["inferences"] = static_cast<double>(mind.decision.statistics.inferences);
 }
-BENCHMARK(ElevatorPlan)
-    ->ArgName("steps")
-    ->DenseRange(4, 12)
-    ->Arg(20)
-    ->Arg(30)
-    ->Unit(benchmark::kMillisecond);
+void PlanSizes(benchmark::internal::Benchmark* bench) {
+  bench->ArgNames({"steps", "bank"})->Unit(benchmark::kMillisecond);
+  for (int steps = 4; steps <= 12; ++steps) bench->Args({steps, 1});
+  for (const int steps : {12, 20, 30}) {
+    for (const int bank : {1, 2, 3}) {
+      if (steps > 12 || bank > 1) bench->Args({steps, bank});
+    }
+  }
+}
+BENCHMARK(ElevatorPlan)->Apply(PlanSizes);
 
 }  // namespace
 }  // namespace latchwork::pttp

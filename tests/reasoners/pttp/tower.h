@@ -16,18 +16,19 @@ namespace latchwork::pttp {
 inline constexpr std::string_view kPlanTo =
     "fof(plan_to, axiom, ![T, S] : ((target_landmark(T) & robot_at(T, S)) => plan_to(S))).";
 
-/// A tower with sky lobbies: elevator i serves the floors from kFloors * i to kFloors * (i + 1), so
-/// that every lobby has two elevators. On each floor a corridor of kPlaces landmarks leads from one
-/// door to the other. A trip takes four actions: every elevator starts on a floor that is no lobby.
+/// A tower with sky lobbies: shaft i serves the floors from kFloors * i to kFloors * (i + 1), so
+/// that every lobby has two. In each shaft are `bank` elevators. On each floor a corridor of
+/// kPlaces landmarks leads from one shaft to the other. A trip takes four actions: every elevator
+/// starts on a floor that is no lobby.
 struct Tower {
   static constexpr int kFloors = 3;
   static constexpr int kPlaces = 4;
 
   /// As many trips as there is room for, the rest on foot.
-  explicit Tower(int plan_length) : steps(plan_length) {
-    elevators = 1;
-    while (Length(elevators + 1, 0, 0) <= steps) ++elevators;
-    const int walk = steps - Length(elevators, 0, 0);
+  explicit Tower(int plan_length, int elevators_a_shaft = 1)
+      : steps(plan_length), bank(elevators_a_shaft) {
+    while (Length(shafts + 1, 0, 0) <= steps) ++shafts;
+    const int walk = steps - Length(shafts, 0, 0);
     walk_in = walk / 2;
     walk_out = walk - walk_in;
   }
@@ -36,12 +37,12 @@ struct Tower {
     return 4 * trips + (kPlaces - 1) * (trips - 1) + in + out;
   }
   static std::string Place(int floor, int place) { return fmt::format("l{}_{}", floor, place); }
-  /// Elevator i stands at the end of the corridors where its passengers come from.
-  static int DoorOf(int elevator) { return elevator % 2 == 0 ? kPlaces - 1 : 0; }
+  /// Shaft i is at the end of the corridors where its passengers do not come from.
+  static int DoorOf(int shaft) { return shaft % 2 == 0 ? kPlaces - 1 : 0; }
 
   std::string Start() const { return walk_in == 0 ? Place(0, DoorOf(0)) : In(walk_in); }
   std::string Target() const {
-    return walk_out == 0 ? Place(elevators * kFloors, DoorOf(elevators - 1)) : Out(walk_out);
+    return walk_out == 0 ? Place(shafts * kFloors, DoorOf(shafts - 1)) : Out(walk_out);
   }
 
   std::vector<std::string> Building() const {
@@ -50,35 +51,40 @@ struct Tower {
       facts.push_back(fmt::format("adjacent({}, {})", a, b));
       facts.push_back(fmt::format("adjacent({}, {})", b, a));
     };
-    for (int floor = 0; floor <= elevators * kFloors; ++floor) {
+    for (int floor = 0; floor <= shafts * kFloors; ++floor) {
       for (int i = 1; i < kPlaces; ++i) join(Place(floor, i - 1), Place(floor, i));
     }
-    for (int i = 0; i < elevators; ++i) {
+    for (int i = 0; i < elevators(); ++i) {
+      const int shaft = i / bank;
       facts.push_back(fmt::format("elevator(e{})", i));
       facts.push_back(fmt::format("cab(e{}, c{})", i, i));
-      for (int floor = i * kFloors; floor <= (i + 1) * kFloors; ++floor) {
+      for (int floor = shaft * kFloors; floor <= (shaft + 1) * kFloors; ++floor) {
         facts.push_back(
-            fmt::format("elevator_front(e{}, {}, {})", i, Place(floor, DoorOf(i)), floor));
+            fmt::format("elevator_front(e{}, {}, {})", i, Place(floor, DoorOf(shaft)), floor));
       }
     }
     for (int i = 1; i <= walk_in; ++i) {
       join(In(i), i == 1 ? Place(0, DoorOf(0)) : In(i - 1));
     }
     for (int i = 1; i <= walk_out; ++i) {
-      join(Out(i), i == 1 ? Place(elevators * kFloors, DoorOf(elevators - 1)) : Out(i - 1));
+      join(Out(i), i == 1 ? Place(shafts * kFloors, DoorOf(shafts - 1)) : Out(i - 1));
     }
     return facts;
   }
-  std::vector<std::string> Elevators() const {
+  /// Where the elevators stand; it changes with the cycle.
+  std::vector<std::string> Elevators(int cycle = 0) const {
     std::vector<std::string> facts;
-    for (int i = 0; i < elevators; ++i) {
-      facts.push_back(fmt::format("elevator_at(e{}, {})", i, i * kFloors + 1));
+    for (int i = 0; i < elevators(); ++i) {
+      facts.push_back(
+          fmt::format("elevator_at(e{}, {})", i, i / bank * kFloors + 1 + (i + cycle) % 2));
     }
     return facts;
   }
+  int elevators() const { return shafts * bank; }
 
   int steps;
-  int elevators;
+  int bank;
+  int shafts = 1;
   int walk_in;
   int walk_out;
 
