@@ -107,6 +107,7 @@ void Engine::Begin(const sdk::Budget& budget) {
   computed_.Clear();
   computations_.clear();
   computing_ = nullptr;
+  grounding_ = false;
   for (AttachmentEntry& entry : attachments_) entry.used = 0;
   assumptions_.clear();
   attachment_calls_ = 0;

@@ -191,6 +191,7 @@ bool Engine::MakeSituations(PlanSpace& space, std::uint32_t depth) {
   if (space.hopeless || grounding_) return false;
   if (space.decision == decision_) return space.made;
   space.decision = decision_;
+  space.made = false;
   grounding_ = true;
   Grounder grounder(*this, space, depth);
   space.made = grounder.Run();

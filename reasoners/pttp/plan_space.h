@@ -20,6 +20,7 @@ class PlanSpace {
   PlanSpace(const Predicates& predicates, const Reach& reach) : rules_(predicates, reach) {}
   PlanSpace(const PlanSpace&) = delete;
   PlanSpace& operator=(const PlanSpace&) = delete;
+  ~PlanSpace() = default;
 
   const SituationRules& rules() const { return rules_; }
   Situations& situations() { return situations_; }

@@ -69,28 +69,28 @@ void Situations::MatchAtoms(PredicateId fluent, std::span<const Word> arguments,
   }
 }
 
-Situations::Answer Situations::Find(std::uint32_t number, std::uint32_t index, std::uint32_t limit,
-                                    Meter& meter, Instance& instance) {
-  Question& question = questions_[number];
-  if (question.atoms.empty()) return Answer::kNone;
-  while (question.answers.size() <= index) {
-    const std::uint32_t state = question.next_state;
+Situations::Answer Situations::Find(std::uint32_t question, std::uint32_t index,
+                                    std::uint32_t limit, Meter& meter, Instance& instance) {
+  Question& asked = questions_[question];
+  if (asked.atoms.empty()) return Answer::kNone;
+  while (asked.answers.size() <= index) {
+    const std::uint32_t state = asked.next_state;
     while (state == graph_.size()) {
       if (!graph_.Grow(meter)) return Answer::kNone;
     }
     if (graph_.LengthOf(state) >= limit) return Answer::kTooFar;
-    ++question.next_state;
-    for (const std::uint32_t atom : question.atoms) {
-      if (graph_.Holds(state, atom)) question.answers.push_back({state, atom});
+    ++asked.next_state;
+    for (const std::uint32_t atom : asked.atoms) {
+      if (graph_.Holds(state, atom)) asked.answers.push_back({state, atom});
     }
   }
-  instance = question.answers[index];
+  instance = asked.answers[index];
   return graph_.LengthOf(instance.state) < limit ? Answer::kFound : Answer::kTooFar;
 }
 
-bool Situations::FindIn(std::uint32_t state, std::uint32_t number, std::uint32_t& place,
+bool Situations::FindIn(std::uint32_t state, std::uint32_t question, std::uint32_t& place,
                         Instance& instance) const {
-  const std::vector<std::uint32_t>& atoms = questions_[number].atoms;
+  const std::vector<std::uint32_t>& atoms = questions_[question].atoms;
   while (place < atoms.size()) {
     const std::uint32_t atom = atoms[place++];
     if (!graph_.Holds(state, atom)) continue;
@@ -170,7 +170,7 @@ std::span<const std::size_t> Situations::AssumptionsOf(const Instance& instance)
   assumptions_.clear();
   if (!ground_.assumes()) return assumptions_;
   supporting_.assign(1, instance);
-  for (std::size_t i = 0; i < supporting_.size(); ++i) Support(supporting_[i]);
+  for (std::size_t done = 0; done < supporting_.size();) Support(supporting_[done++]);
   std::sort(assumptions_.begin(), assumptions_.end());
   assumptions_.erase(std::unique(assumptions_.begin(), assumptions_.end()), assumptions_.end());
   return assumptions_;

@@ -132,11 +132,11 @@ void StateGraph::FindEffects(std::uint32_t state, Meter& meter) {
   }
 }
 
-void StateGraph::Trigger(std::uint32_t index) {
-  const GroundRule& rule = rules_->rules()[index];
-  std::uint32_t& last = last_heads_[rule.action];
-  if (last == kNoState) tried_.push_back(rule.action);
-  heads_.push_back({rule.head, last});
+void StateGraph::Trigger(std::uint32_t rule) {
+  const GroundRule& effect = rules_->rules()[rule];
+  std::uint32_t& last = last_heads_[effect.action];
+  if (last == kNoState) tried_.push_back(effect.action);
+  heads_.push_back({effect.head, last});
   last = static_cast<std::uint32_t>(heads_.size() - 1);
 }
 

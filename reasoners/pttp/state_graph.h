@@ -2,6 +2,7 @@
 #ifndef LATCHWORK_PTTP_STATE_GRAPH_H_
 #define LATCHWORK_PTTP_STATE_GRAPH_H_
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -66,10 +67,9 @@ class StateGraph {
     return bits_.data() + std::size_t{state} * words_;
   }
   static bool Hold(const std::uint64_t* bits, std::span<const std::uint32_t> atoms) {
-    for (const std::uint32_t atom : atoms) {
-      if (((bits[atom / 64] >> (atom % 64)) & 1U) == 0) return false;
-    }
-    return true;
+    return std::all_of(atoms.begin(), atoms.end(), [&](std::uint32_t atom) {
+      return ((bits[atom / 64] >> (atom % 64)) & 1U) != 0;
+    });
   }
   static void Set(std::uint64_t* bits, std::uint32_t atom) {
     bits[atom / 64] |= std::uint64_t{1} << (atom % 64);
