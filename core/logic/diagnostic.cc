@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "core/logic/utf8.h"
+#include "latchwork/logic/diagnostic_label.h"
 
 namespace latchwork::logic {
 
@@ -62,17 +63,19 @@ void AppendExcerpt(std::string& text, const Diagnostic& diagnostic) {
 
 }  // namespace
 
-std::string Format(const Diagnostic& diagnostic) {
+std::string Format(const Diagnostic& diagnostic, std::string_view label) {
   const SourcePlace& place = diagnostic.place;
   std::string text = Printable(place.file);
   if (place.line > 0) text += ':' + std::to_string(place.line);
   if (place.line > 0 && place.column > 0) text += ':' + std::to_string(place.column);
   if (!text.empty()) text += ": ";
-  text += "error: " + Printable(diagnostic.message) + '\n';
+  text += std::string(label) + ": " + Printable(diagnostic.message) + '\n';
   if (place.line > 0 && !diagnostic.excerpt.empty()) AppendExcerpt(text, diagnostic);
   if (!diagnostic.hint.empty()) text += "  hint: " + Printable(diagnostic.hint) + '\n';
   return text;
 }
+
+std::string Format(const Diagnostic& diagnostic) { return Format(diagnostic, "error"); }
 
 std::string Format(const Diagnostics& diagnostics) {
   std::string text;

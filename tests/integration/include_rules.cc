@@ -39,7 +39,8 @@ constexpr std::array<Part, 12> kParts = {{
     {"plugins/", "logic sdk"},
     {"worlds/", "logic sdk"},
     {"apps/check_proof/", "logic"},
-    {"apps/", "logic sdk config plugin schedule record reasoners/pttp apps/check_proof"},
+    {"apps/",
+     "logic sdk config plugin schedule record reasoners/icarus reasoners/pttp apps/check_proof"},
     {"tests/", "logic sdk config plugin schedule record"},
 }};
 

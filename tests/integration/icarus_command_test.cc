@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// `latchwork icarus` as it is used: exit codes, and what goes to which stream.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/integration/run_command.h"
+
+namespace latchwork::testing {
+namespace {
+
+constexpr const char* kGood = "(Go () :action ({go}))\n";
+constexpr const char* kWarned = "(Top () :means ((Goo)))\n(Go () :action ({go}))\n";
+constexpr const char* kBad = "(Go () :acton ({go}))\n(Run (x) :action ({run}))\n";
+
+class IcarusCommandTest : public ::testing::Test {
+ protected:
+  CommandResult Icarus(std::vector<std::string> arguments, const std::string& text) {
+    WriteText(scratch_.path() / "p.icarus", text);
+    arguments.insert(arguments.begin(), "icarus");
+    return RunLatchwork(arguments, scratch_.path());
+  }
+
+  ScratchFolder scratch_;
+};
+
+TEST_F(IcarusCommandTest, Check_GoodProgram_IsSummedUp) {
+  const CommandResult result = Icarus({"check", "p.icarus"}, kGood);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out, "p.icarus: ok: 1 skill, 0 constants, 0 facts\n");
+  EXPECT_EQ(result.err, "");
+}
+
+TEST_F(IcarusCommandTest, Check_Warnings_CountWhenAsked) {
+  EXPECT_EQ(Icarus({"check", "p.icarus"}, kWarned).exit_code, 0);
+  EXPECT_EQ(Icarus({"check", "--werror", "p.icarus"}, kWarned).exit_code, 3);
+}
+
+TEST_F(IcarusCommandTest, Check_BadProgram_ShowsAllErrors) {
+  const CommandResult result = Icarus({"check", "p.icarus"}, kBad);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_NE(result.err.find("p.icarus:1:8: error[I006]"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("did you mean ':action'?"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("p.icarus:2:7: error[I005]"), std::string::npos) << result.err;
+}
+
+TEST_F(IcarusCommandTest, Check_Json_ListsFindings) {
+  const CommandResult result = Icarus({"check", "--json", "p.icarus"}, kBad);
+  EXPECT_EQ(result.exit_code, 3);
+  const auto list = nlohmann::json::parse(result.out);
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[0]["code"], "I006");
+  EXPECT_EQ(list[1]["line"], 2);
+}
+
+TEST_F(IcarusCommandTest, Check_UnknownFileOrCode_IsRefused) {
+  EXPECT_EQ(Icarus({"check", "absent.icarus"}, kGood).exit_code, 3);
+  EXPECT_EQ(Icarus({"check", "--explain", "I999"}, kGood).exit_code, 2);
+  EXPECT_EQ(Icarus({"check", "--explain", "i015"}, kGood).exit_code, 0);
+}
+
+TEST_F(IcarusCommandTest, Format_RewritesInPlaceOnce) {
+  const std::string untidy = "(Go ()\n :action   ({go}))";
+  EXPECT_EQ(Icarus({"fmt", "--check", "p.icarus"}, untidy).exit_code, 1);
+  EXPECT_EQ(ReadText(scratch_.path() / "p.icarus"), untidy);
+  const CommandResult result = Icarus({"fmt", "p.icarus"}, untidy);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out, "p.icarus\n");
+  EXPECT_EQ(ReadText(scratch_.path() / "p.icarus"), kGood);
+  EXPECT_EQ(Icarus({"fmt", "--check", "p.icarus"}, kGood).exit_code, 0);
+}
+
+TEST_F(IcarusCommandTest, Format_BrokenProgram_IsLeftAlone) {
+  const std::string broken = "(Go () :action ({go}))\n(Run";
+  EXPECT_EQ(Icarus({"fmt", "p.icarus"}, broken).exit_code, 3);
+  EXPECT_EQ(ReadText(scratch_.path() / "p.icarus"), broken);
+}
+
+}  // namespace
+}  // namespace latchwork::testing

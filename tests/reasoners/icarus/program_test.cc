@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reasoners/icarus/program.h"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/reasoners/icarus/programs.h"
+
+namespace latchwork::icarus {
+namespace {
+
+std::vector<std::string> Codes(std::string_view text, const CheckOptions& options = {}) {
+  std::vector<std::string> codes;
+  for (const Finding& finding : ReadProgram(std::string(text), "p.icarus", options).findings) {
+    codes.push_back(std::to_string(finding.diagnostic.place.line) + ':' +
+                    std::to_string(finding.diagnostic.place.column) + ' ' +
+                    std::string(Info(finding.code).name));
+  }
+  return codes;
+}
+
+using List = std::vector<std::string>;
+
+TEST(IcarusProgramTest, TablesOfThePaper_HaveNoFindings) {
+  EXPECT_EQ(Codes(testing::kCollide), List());
+  EXPECT_EQ(Codes(testing::kFastest), List());
+}
+
+TEST(IcarusProgramTest, Clauses_AreResolvedInOrder) {
+  const ProgramFile file = ReadProgram(
+      "(facts (car c1) (c1 here 1))\n"
+      "(A (?x) :requires ((bind ?y ?x) (*not* (B ?y)) (*notA* {f}) (B ?x) (car ?x) (?x ? ?)))\n"
+      "(B (?x) :objective ({f ?x}))",
+      "p.icarus");
+  ASSERT_TRUE(file.findings.empty()) << Format(file.findings.front());
+  const std::vector<Clause>& clauses = *file.program.skills[0].slot(Slot::kRequires);
+  std::vector<ClauseKind> kinds;
+  for (const Clause& clause : clauses) kinds.push_back(clause.kind);
+  EXPECT_EQ(kinds,
+            (std::vector<ClauseKind>{ClauseKind::kBind, ClauseKind::kNot, ClauseKind::kNotOrActing,
+                                     ClauseKind::kSkill, ClauseKind::kMatch, ClauseKind::kMatch}));
+  EXPECT_EQ(clauses[1].inner.at(0).kind, ClauseKind::kSkill);
+  EXPECT_EQ(clauses[3].skill, 1U);
+  EXPECT_EQ(file.program.facts.size(), 2U);
+}
+
+struct CodeCase {
+  std::string_view name;
+  std::string_view text;
+  std::string_view finding;
+};
+
+std::ostream& operator<<(std::ostream& out, const CodeCase& c) { return out << c.name; }
+
+class IcarusCodeTest : public ::testing::TestWithParam<CodeCase> {};
+
+TEST_P(IcarusCodeTest, Offence_IsFoundWhereItStands) {
+  EXPECT_EQ(Codes(GetParam().text), List{std::string(GetParam().finding)});
+}
+
+constexpr CodeCase kCases[] = {
+    {"Bracket", "(A () :action ({go}))\n)", "2:1 I001"},
+    {"Token", "(A () :action ({go \"x}))", "1:20 I002"},
+    {"TopLevel", "(A () :action ({go}))\n((B))", "2:1 I004"},
+    {"HeadWithoutList", "(A :action ({go}))", "1:2 I005"},
+    {"HeadRepeated", "(A (?x ?X) :action ({go ?x}))", "1:8 I005"},
+    {"HeadNoVariable", "(A (x) :action ({go}))", "1:5 I005"},
+    {"UnknownSlot", "(A () :objectve ({f}))", "1:7 I006"},
+    {"SlotTwice", "(A () :means ((B)) :means ((B)))\n(B () :action ({go}))", "1:20 I007"},
+    {"SlotEmpty", "(A () :means)", "1:7 I007"},
+    {"SlotNoList", "(A () :objective {f})", "1:18 I007"},
+    {"Types", "(A () :objective ({f}) :action ({go}))", "1:24 I008"},
+    {"NoSlot", "(A ())", "1:2 I008"},
+    {"Repeated", "(A () :action ({go}))\n(a () :action ({go}))", "2:2 I009"},
+    {"ClauseAtom", "(A () :objective (f))", "1:19 I010"},
+    {"ClauseEmpty", "(A () :objective (()))", "1:19 I010"},
+    {"ClauseBind", "(A () :objective ((bind x 1)))", "1:19 I010"},
+    {"ClauseNot", "(A () :objective ((*not* {f} {g})))", "1:19 I010"},
+    {"ClauseInAction", "(A () :action ((go)))", "1:16 I010"},
+    {"ClauseInSensor", "(A () :sensor ((go)))", "1:16 I010"},
+    {"ActionEmpty", "(A () :action ())", "1:15 I010"},
+    {"TooMany", "(A () :requires ((B 1)))\n(B () :action ({go}))", "1:18 I011"},
+    {"ConstantUnknown", "(A () :action ({go *Hard*}))", "1:20 I012"},
+    {"ConstantTwice", "(constant *a* 1)\n(constant *A* 2)", "2:11 I012"},
+    {"Fact", "(facts (a ?x))", "1:11 I013"},
+    {"TooFew", "(A () :requires ((B)))\n(B (?x) :objective ((bind ?x 1)))", "1:18 I014"},
+    {"Misspelt", "(Top () :means ((Trun)))\n(Turn () :action ({turn}))", "1:17 I015"},
+    {"UnknownFact", "(facts (car c1))\n(A () :requires ((lorry ?)))", "2:18 I016"},
+    {"Once", "(A () :requires ((car ?c)))", "1:23 I017"},
+    {"AlwaysTrue", "(A () :objective () :means ((B)))\n(B () :action ({go}))", "1:7 I019"},
+    {"UnboundCall", "(A () :requires ((*not* {f ?_x})))", "1:28 I021"},
+    {"Hiding", "(A () :means ((B) (C)))\n(B () :action ({b}))\n(C () :action ({c}))", "1:15 I022"},
+    {"Endless", "(A () :means ((B)))\n(B () :requires ((*not* (A))))", "1:2 I023"},
+    {"UnboundSequence", "(A () :means ((S ?_x)))\n(S (?x) :sequence ({f ?x}))", "1:18 I024"},
+    {"Effect", "(A () :requires ({store (a b)}))", "1:18 I025"},
+    {"Spelling", "(A (?car) :requires ({f ?Car}))", "1:25 I026"},
+    {"FunctionCount", "(A (?x) :requires ({< ?x}))", "1:20 I027"},
+    {"FunctionType", "(A (?x) :requires ({< ?x slow}))", "1:26 I027"},
+};
+
+INSTANTIATE_TEST_SUITE_P(AllCodes, IcarusCodeTest, ::testing::ValuesIn(kCases),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(IcarusProgramTest, UnboundActArgument_IsFound) {
+  EXPECT_EQ(Codes("(A () :means ((B ?_x)))\n(B (?x) :action ({go ?x}))"), List{"1:18 I020"});
+  EXPECT_EQ(Codes("(A () :requires ((bind ?x 1)) :means ((B ?x)))\n(B (?x) :action ({go ?x}))"),
+            List());
+  EXPECT_EQ(Codes("(A () :requires ((C ?x)) :means ((B ?x)))\n(B (?x) :action ({go ?x}))\n"
+                  "(C (?x) :means ((D ?x)))\n(D (?x) :objective ((car ?x)))"),
+            List());
+}
+
+TEST(IcarusProgramTest, Unreachable_DependsOnTheTop) {
+  constexpr std::string_view kText =
+      "(A () :means ((B)))\n(B () :action ({go}))\n(C () :means ((B)))";
+  EXPECT_EQ(Codes(kText), List());
+  CheckOptions options;
+  options.top = "a";
+  EXPECT_EQ(Codes(kText, options), List{"3:2 I018"});
+}
+
+TEST(IcarusProgramTest, Strict_MakesFewArgumentsAnError) {
+  CheckOptions options;
+  options.strict = true;
+  const ProgramFile file =
+      ReadProgram("(A () :requires ((B)))\n(B (?x) :objective ((bind ?x 1)))", "p.icarus", options);
+  ASSERT_EQ(file.findings.size(), 1U);
+  EXPECT_TRUE(HasErrors(file.findings));
+  EXPECT_EQ(ErrorsOf(file.findings).at(0).message,
+            "[I014] 'B' has 1 parameter, but is called with 0");
+}
+
+TEST(IcarusProgramTest, Waiver_SilencesWarningsOfItsLineAndTheNext) {
+  EXPECT_EQ(Codes("(A () :requires ((car ?c))) ; allow I017"), List());
+  EXPECT_EQ(Codes("; allow I016 i017\n(A () :requires ((car ?c)))"), List());
+  EXPECT_EQ(Codes("; allow I016\n(A () :requires ((car ?c)))"), List{"2:23 I017"});
+  EXPECT_EQ(Codes("(A ()) ; allow I008"), List{"1:2 I008"});
+}
+
+TEST(IcarusProgramTest, AllErrors_AreReportedAtOnce) {
+  EXPECT_EQ(Codes("(A (x) :means (y) :foo ())\n(B {)\n(C () :objective (()))"),
+            (List{"1:5 I005", "1:16 I010", "1:19 I006", "2:5 I001", "3:19 I010"}));
+}
+
+TEST(IcarusFindingTest, Format_ShowsCodeCaretHintAndNote) {
+  const ProgramFile file =
+      ReadProgram("(A () :requires ((B 1)))\n(B () :action ({go}))", "p.icarus");
+  ASSERT_EQ(file.findings.size(), 1U);
+  EXPECT_EQ(Format(file.findings[0]),
+            "p.icarus:1:18: error[I011]: 'B' has 0 parameters, but is called with 1\n"
+            "  1 | (A () :requires ((B 1)))\n"
+            "    |                  ^\n"
+            "  hint: take out what is too much\n"
+            "p.icarus:2:2: note: defined here\n"
+            "  2 | (B () :action ({go}))\n"
+            "    |  ^\n");
+}
+
+TEST(IcarusFindingTest, Codes_AreNumberedAndExplained) {
+  std::set<std::string_view> names;
+  for (const CodeInfo& info : AllCodes()) {
+    EXPECT_FALSE(info.explanation.empty()) << info.name;
+    EXPECT_TRUE(names.insert(info.name).second) << info.name;
+  }
+  EXPECT_EQ(*names.begin(), "I001");
+  EXPECT_EQ(names.size(), 28U);
+  EXPECT_EQ(Info(Code::kUnknownFunction).name, "I028");
+}
+
+}  // namespace
+}  // namespace latchwork::icarus
