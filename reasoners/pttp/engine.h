@@ -162,7 +162,7 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
                                          ProofSink& sink);
   /// By situations that are told apart by what holds in them. Nothing: that cannot tell.
   std::optional<SearchEnd> SolveBySituations(Query& query, Wanted wanted, std::uint32_t depth,
-                                             ProofSink& sink);
+                                             bool record, ProofSink& sink);
   bool MakeSituations(PlanSpace& space, std::uint32_t depth);
   const StandIns& StandInsFor(PredicateId fluent);
   SearchEnd SolveBySearch(Query& query, std::uint32_t depth, bool record, ProofSink& sink);

@@ -37,7 +37,7 @@ SearchEnd Engine::SolveBySearch(Query& query, std::uint32_t depth, bool record, 
 
 SearchEnd Engine::Solve(Query& query, Wanted wanted, std::uint32_t depth, ProofSink& sink) {
   if (!Prepare(query)) return SearchEnd::kExhausted;
-  if (const auto end = SolveBySituations(query, wanted, depth, sink)) return *end;
+  if (const auto end = SolveBySituations(query, wanted, depth, false, sink)) return *end;
   // The first proof of a recursive goal is the shallowest one, which tables do not know.
   const bool search_first = wanted == Wanted::kFirst && query.reach->recursive;
   if (!search_first) {
@@ -50,7 +50,8 @@ SearchEnd Engine::Solve(Query& query, Wanted wanted, std::uint32_t depth, ProofS
 
 SearchEnd Engine::SolveWithSteps(Query& query, std::uint32_t depth, ProofSink& sink) {
   if (!Prepare(query)) return SearchEnd::kExhausted;
-  return SolveBySearch(query, depth, true, sink);
+  const auto end = SolveBySituations(query, Wanted::kFirst, depth, true, sink);
+  return end ? *end : SolveBySearch(query, depth, true, sink);
 }
 
 void Engine::Watch() {

@@ -201,7 +201,7 @@ bool Engine::MakeSituations(PlanSpace& space, std::uint32_t depth) {
 }
 
 std::optional<SearchEnd> Engine::SolveBySituations(Query& query, Wanted wanted, std::uint32_t depth,
-                                                   ProofSink& sink) {
+                                                   bool record, ProofSink& sink) {
   const SituationUse& use = query.use;
   if (query.plan_space == nullptr || !use.plans || use.blocked) return std::nullopt;
   if (wanted == Wanted::kFirst ? !use.joins : !use.clean) return std::nullopt;
@@ -209,7 +209,7 @@ std::optional<SearchEnd> Engine::SolveBySituations(Query& query, Wanted wanted, 
   if (MakeSituations(*query.plan_space, depth)) {
     query.request.reach = &query.plan_space->rules().reach();
     query.request.situations = &query.plan_space->situations();
-    const SearchEnd end = SolveBySearch(query, depth, false, sink);
+    const SearchEnd end = SolveBySearch(query, depth, record, sink);
     query.request.reach = query.reach;
     query.request.situations = nullptr;
     if (end != SearchEnd::kDoubtful) return end;

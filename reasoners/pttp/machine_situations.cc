@@ -7,7 +7,7 @@
 namespace latchwork::pttp {
 
 /// A fluent in a situation that is not known yet, or in a known one. Any other situation is left to
-/// the rules.
+/// the rules; where steps are recorded, any that is known.
 bool Machine::TrySituations(Choice& choice) {
   const Node& node = *choice.node;
   if (situations_ == nullptr || !node.literal->positive) return false;
@@ -17,7 +17,9 @@ bool Machine::TrySituations(Choice& choice) {
     const std::uint32_t position = rules.PositionOf(node.literal->predicate);
     const Word situation = Dereference(node.arguments[position]);
     choice.table = kNoState;
-    if (TagOf(situation) != Tag::kReference) {
+    const bool known = TagOf(situation) != Tag::kReference;
+    if (record_ && (known || selected_.activation != choice.continuation.activation)) return false;
+    if (known) {
       choice.table = situations_->StateOf(situation);
       if (choice.table == kNoState) return false;
     }
@@ -61,6 +63,13 @@ bool Machine::Instantiate(Choice& choice, const Situations::Instance& instance) 
   }
   if (!unifier_.Unify(node.arguments[position], situations_->SituationOf(instance.state))) {
     return false;
+  }
+  if (record_) {
+    choice.proved = true;
+    continuation_ = choice.continuation;
+    const Activation* activation = choice.continuation.activation;
+    delayed_ = shop_.heap->Make(Delayed{node.literal, activation, choice.delayed});
+    return true;
   }
   for (const std::size_t assumption : situations_->AssumptionsOf(instance)) RestOn(assumption);
   const std::uint32_t length = situations_->LengthOf(instance.state) + 1;

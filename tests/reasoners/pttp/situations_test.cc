@@ -153,6 +153,20 @@ fof(next, axiom, ![G, A, S] : ((goal(G) & at(G, S) & first(A, S)) => next(A))).
   EXPECT_THAT(mind.Conclusions(), ElementsAre("next(go(c))"));
 }
 
+TEST(SituationsTest, FirstStepIsExplainedByItsPlan) {
+  AgentMind mind(std::string(kPlanTo) + R"(
+cnf(first, axiom, begins(A, do(A, s0))).
+fof(later, axiom, ![A, B, S] : (begins(A, S) => begins(A, do(B, S)))).
+fof(next, axiom, ![S, A] : ((plan_to(S) & begins(A, S)) => next(A))).
+)");
+  LoadElevators(mind, "next(A)");
+  EnterTower(mind, Tower(15));
+  ASSERT_EQ(mind.Decide().status, sdk::Status::kProved);
+  EXPECT_THAT(mind.Conclusions(), ElementsAre("next(go(in1))"));
+  const sdk::Derivation derivation = mind.reasoner.Explain(0);
+  EXPECT_GT(derivation.steps.size(), 30U);
+}
+
 TEST(SituationsTest, StaticTestsOfWhatFluentsBindDoNotMatter) {
   AgentMind mind(std::string(kCarry) + R"(
 fof(plan, axiom, ![P, S] : ((at(P, S) & wanted(P) & has(key, S)) => plan(S))).

@@ -94,7 +94,7 @@ struct Tower {
 };
 
 /// Loads the domain of layer 2 with the question above.
-inline void LoadElevators(AgentMind& mind) {
+inline void LoadElevators(AgentMind& mind, std::string_view goal = "plan_to(S)") {
   mind.body.files.emplace_back(std::string(LATCHWORK_SOURCE_DIR) +
                                "/plugins/elevators/elevators.p");
   for (const char* name : {"curr_landmark", "elevator", "target_landmark", "shortest_plan"}) {
@@ -108,7 +108,7 @@ inline void LoadElevators(AgentMind& mind) {
     mind.Minimize(name, 1);
   }
   mind.Minimize("same_elevator", 2);
-  mind.Goal("plan_to(S)");
+  mind.Goal(goal);
   mind.Load();
 }
 
