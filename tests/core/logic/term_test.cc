@@ -90,8 +90,9 @@ TEST_F(TermTest, Move_LeavesNothingBehind) {
   Term from = Apply("f", {Constant("a")});
   const Term to = std::move(from);
   EXPECT_EQ(ToString(to), "f(a)");
-  Term& self = from = to;
-  self = std::move(self);
+  from = to;
+  Term& self = from;
+  self = std::move(from);
   EXPECT_EQ(from, to);
 }
 

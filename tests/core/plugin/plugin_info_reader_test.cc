@@ -61,8 +61,9 @@ TEST(PluginInfoReaderTest, ReadsTheRecordOfAStrippedPlugin) {
 TEST(PluginInfoReaderTest, NoPrefixOfAPluginIsAPlugin) {
   const std::string image = BytesOf(kSamples / "plain.so");
   ASSERT_TRUE(ReadText(image).info);
+  const std::string_view whole = image;
   for (std::size_t size = 0; size < image.size(); size += (size < 128 ? 1 : 37)) {
-    const PluginInfoReading reading = ReadText(std::string_view(image).substr(0, size));
+    const PluginInfoReading reading = ReadText(whole.substr(0, size));
     ASSERT_FALSE(reading.info) << size;
     ASSERT_THAT(reading.problem, Not(IsEmpty())) << size;
   }
@@ -71,7 +72,8 @@ TEST(PluginInfoReaderTest, NoPrefixOfAPluginIsAPlugin) {
 TEST(PluginInfoReaderTest, TruncatedFile_SaysSo) {
   const TemporaryFolder folder;
   const std::string image = BytesOf(kSamples / "plain.so");
-  const auto file = folder.Write("half.so", std::string_view(image).substr(0, image.size() / 2));
+  const std::string_view whole = image;
+  const auto file = folder.Write("half.so", whole.substr(0, image.size() / 2));
   EXPECT_THAT(ReadPluginInfo(file).problem, HasSubstr("truncated"));
 }
 

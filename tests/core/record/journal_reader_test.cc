@@ -45,9 +45,10 @@ TEST(JournalReaderTest, GivesEveryFrame) {
 
 TEST(JournalReaderTest, CutAtEveryByteGivesAllWholeFrames) {
   const std::string journal = JournalOf({});
+  const std::string_view text = journal;
   const std::vector<std::size_t> starts = LineStarts(journal);
   for (std::size_t length = 0; length < journal.size(); ++length) {
-    JournalReader reader = ReaderOf(std::string_view(journal).substr(0, length));
+    JournalReader reader = ReaderOf(text.substr(0, length));
     const auto whole = std::upper_bound(starts.begin(), starts.end(), length) - starts.begin() - 1;
     ASSERT_EQ(reader.header().has_value(), whole > 0) << length;
     ASSERT_EQ(reader.problem().has_value(), whole == 0) << length;

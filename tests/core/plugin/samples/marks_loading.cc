@@ -26,12 +26,15 @@ constexpr latchwork::sdk::PluginInfo OfTheNextAbi() {
 }  // namespace
 
 #if defined(LATCHWORK_SAMPLE_WRONG_ABI)
+// The name is what the loader looks for.
+// NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
 __attribute__((
     visibility("default"))) extern const latchwork::sdk::PluginInfo latchwork_plugin_info;
 __attribute__((used, section(".latchwork")))
 const latchwork::sdk::PluginInfo latchwork_plugin_info = OfTheNextAbi();
 }
+// NOLINTEND(readability-identifier-naming)
 #else
 LATCHWORK_PLUGIN(latchwork::samples::SampleReasoner, "marks_loading", "1.0", "marks its loading")
 #endif

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "latchwork/sdk/plugin.h"
 
+// The name is what the loader looks for.
+// NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
 __attribute__((
     visibility("default"))) extern const latchwork::sdk::PluginInfo latchwork_plugin_info;
@@ -8,3 +10,4 @@ __attribute__((used, section(".latchwork")))
 const latchwork::sdk::PluginInfo latchwork_plugin_info = latchwork::sdk::MakePluginInfo(
     latchwork::sdk::PluginKind::kReasoner, "no_create", "1.0", "only a record");
 }
+// NOLINTEND(readability-identifier-naming)
