@@ -13,9 +13,11 @@ constexpr latchwork::sdk::PluginInfo OfTheNextAbi() {
 }  // namespace
 
 // Only the record: no code of this plugin may ever be needed to find out that it does not fit.
+// NOLINTBEGIN(readability-identifier-naming): the loader's name for it.
 extern "C" {
 __attribute__((
     visibility("default"))) extern const latchwork::sdk::PluginInfo latchwork_plugin_info;
 __attribute__((used, section(".latchwork")))
 const latchwork::sdk::PluginInfo latchwork_plugin_info = OfTheNextAbi();
 }
+// NOLINTEND(readability-identifier-naming)

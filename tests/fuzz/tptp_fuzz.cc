@@ -13,9 +13,8 @@
 #include "latchwork/logic/clausify.h"
 #include "latchwork/logic/tptp.h"
 
+namespace latchwork::logic {
 namespace {
-
-using namespace latchwork::logic;
 
 void Require(bool holds, std::string_view what, const std::string& text) {
   if (holds) return;
@@ -40,18 +39,22 @@ void CheckClauses(const std::vector<AnnotatedFormula>& formulas, SymbolTable& sy
   ReadBack(text, symbols);
 }
 
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string_view text(reinterpret_cast<const char*>(data), size);
+void Try(std::string_view text) {
   SymbolTable symbols;
   const TptpFile file = ReadTptp(text, "fuzz.p", symbols);
   Require(Format(file.diagnostics).empty() == file.diagnostics.empty(), "silent diagnostics", "");
   ReadTptpAtom(text, "fuzz.xml", symbols);
-  if (!file.diagnostics.empty()) return 0;
+  if (!file.diagnostics.empty()) return;
   const std::string written = WriteTptp(file.formulas);
   const auto again = ReadBack(written, symbols);
   Require(WriteTptp(again) == written, "written text reads back as another", written);
   CheckClauses(file.formulas, symbols);
+}
+
+}  // namespace
+}  // namespace latchwork::logic
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  latchwork::logic::Try({reinterpret_cast<const char*>(data), size});
   return 0;
 }

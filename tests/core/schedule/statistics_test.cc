@@ -38,7 +38,7 @@ TEST(DescribeTest, FiguresOfOneToTwoHundred) {
 
 class LayerTallyTest : public ::testing::Test {
  protected:
-  void Count(std::vector<std::pair<std::string, State>> assumptions) {
+  void Count(const std::vector<std::pair<std::string, State>>& assumptions) {
     sdk::Decision decision;
     for (const auto& [name, state] : assumptions) {
       decision.assumptions.push_back({logic::Fact(symbols.Intern(name)), state});

@@ -26,8 +26,7 @@ constexpr latchwork::sdk::PluginInfo OfTheNextAbi() {
 }  // namespace
 
 #if defined(LATCHWORK_SAMPLE_WRONG_ABI)
-// The name is what the loader looks for.
-// NOLINTBEGIN(readability-identifier-naming)
+// NOLINTBEGIN(readability-identifier-naming): the loader's name for it.
 extern "C" {
 __attribute__((
     visibility("default"))) extern const latchwork::sdk::PluginInfo latchwork_plugin_info;

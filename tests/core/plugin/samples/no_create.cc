@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "latchwork/sdk/plugin.h"
 
-// The name is what the loader looks for.
-// NOLINTBEGIN(readability-identifier-naming)
+// NOLINTBEGIN(readability-identifier-naming): the loader's name for it.
 extern "C" {
 __attribute__((
     visibility("default"))) extern const latchwork::sdk::PluginInfo latchwork_plugin_info;
