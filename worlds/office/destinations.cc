@@ -61,7 +61,8 @@ void Destinations::Explore(const FloorMap& map, Point robot, double radius) {
       const int nx = x + dx;
       const int ny = y + dy;
       if (nx * nx + ny * ny > kReach * kReach) continue;
-      char& mark = seen[static_cast<std::size_t>((ny + kReach) * kSide + nx + kReach)];
+      const int cell = (ny + kReach) * kSide + nx + kReach;
+      char& mark = seen[static_cast<std::size_t>(cell)];
       if (mark != 0) continue;
       mark = 1;
       const Point place{robot.x + nx * kLattice, robot.y + ny * kLattice};

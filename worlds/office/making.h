@@ -44,6 +44,7 @@ std::optional<double> Number(std::string_view text);
 template <typename Items>
 std::vector<std::string> NamesOf(const Items& items) {
   std::vector<std::string> names;
+  names.reserve(items.size());
   for (const auto& item : items) names.emplace_back(item.name.name());
   return names;
 }
