@@ -118,12 +118,12 @@ LoadedCells FromGridmap(const std::filesystem::path& file) {
 
 /// The class was called CSensFrameProbSequence once; files of that time are still shipped.
 bool IsSimplemap(const std::vector<std::uint8_t>& bytes) {
-  for (const std::string_view name : {"CSimpleMap", "CSensFrameProbSequence"}) {
-    if (bytes.size() < name.size() + 6) continue;
-    if (std::memcmp(bytes.data() + 1, name.data(), name.size()) == 0) return true;
-    if (std::memcmp(bytes.data() + 4, name.data(), name.size()) == 0) return true;
-  }
-  return false;
+  constexpr std::array<std::string_view, 2> kNames{"CSimpleMap", "CSensFrameProbSequence"};
+  return std::any_of(kNames.begin(), kNames.end(), [&](std::string_view name) {
+    return bytes.size() >= name.size() + 6 &&
+           (std::memcmp(bytes.data() + 1, name.data(), name.size()) == 0 ||
+            std::memcmp(bytes.data() + 4, name.data(), name.size()) == 0);
+  });
 }
 
 LoadedCells FromSimplemap(const std::filesystem::path& file) {

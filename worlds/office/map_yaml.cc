@@ -7,6 +7,7 @@
 #include <fstream>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace latchwork::office {
@@ -63,7 +64,7 @@ std::optional<std::vector<double>> NumberList(std::string_view text) {
 
 class YamlReader {
  public:
-  explicit YamlReader(const std::filesystem::path& file) : file_(file) {}
+  explicit YamlReader(std::filesystem::path file) : file_(std::move(file)) {}
 
   LoadedYaml Read(std::istream& in) {
     std::string line;
