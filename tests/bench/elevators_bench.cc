@@ -12,9 +12,10 @@ namespace latchwork::pttp {
 namespace {
 
 /// A plan of so many actions through a tower; the elevators stand elsewhere in every cycle.
-void ElevatorPlan(benchmark::State& state) {
+void PlanInTower(benchmark::State& state, const char* states) {
   const Tower tower(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   AgentMind mind("elevator_plan", kPlanTo);
+  mind.Parameter("states", states);
   LoadElevators(mind);
   EnterTower(mind, tower);
   mind.budget.depth = 400;
@@ -32,6 +33,8 @@ void ElevatorPlan(benchmark::State& state) {
   state.counters["elevators"] = tower.elevators();
   state.counters["inferences"] = static_cast<double>(mind.decision.statistics.inferences);
 }
+void ElevatorPlan(benchmark::State& state) { PlanInTower(state, "true"); }
+
 void PlanSizes(benchmark::internal::Benchmark* bench) {
   bench->ArgNames({"steps", "bank"})->Unit(benchmark::kMillisecond);
   for (int steps = 4; steps <= 12; ++steps) bench->Args({steps, 1});
@@ -42,6 +45,9 @@ void PlanSizes(benchmark::internal::Benchmark* bench) {
   }
 }
 BENCHMARK(ElevatorPlan)->Apply(PlanSizes);
+
+void ElevatorPlanBySearch(benchmark::State& state) { PlanInTower(state, "false"); }
+BENCHMARK(ElevatorPlanBySearch)->Apply(PlanSizes);
 
 }  // namespace
 }  // namespace latchwork::pttp
