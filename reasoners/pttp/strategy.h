@@ -25,6 +25,7 @@ struct Strategy {
   Start start = Start::kNegative;
   BodyOrder order = BodyOrder::kWritten;
   bool lemmata = true;
+  bool prune = true;  ///< What was solved without binding anything is not solved again.
   std::uint32_t deepest = std::numeric_limits<std::uint32_t>::max();
   std::uint64_t inferences = std::numeric_limits<std::uint64_t>::max();
 };

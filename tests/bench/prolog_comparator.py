@@ -4,32 +4,46 @@
 
 Every clause becomes its contrapositives m(Goal, Ancestors, Depth) as Stickel's PTTP would have
 them: unification with occurs check, reduction against the ancestors, identical-ancestor pruning,
-and a bound on the depth of paths that facts and units are not charged for. Extension and reduction
-steps that succeed are counted. Usage, beside `latchwork prove --stats FILE`:
+and a bound on the depth of paths that units and ground clauses are not charged for. All depths up
+to DEPTH are searched, once to count the extension and reduction steps that succeed and once, without
+counting, for the time. `latchwork prove --strategy plain --depth DEPTH --stats FILE` makes the same
+search. Usage:
 
     tests/bench/prolog_comparator.py FILE.p DEPTH
+    tests/bench/prolog_comparator.py --table LATCHWORK SECONDS FILE.p...
+
+The second prints a table of the files without equality on which Prolog completes a depth with at
+least 100,000 steps, without a proof, in so many seconds of processor time: the deepest such one, the
+steps of both, their rates and the ratio.
 """
+import pathlib
 import re
+import resource
 import shutil
+import statistics
 import subprocess
 import sys
 import tempfile
 
+LEAST_STEPS = 100_000
+
 ENGINE = r"""
 :- initialization(main).
-solve(G, Up, _) :- neg(G, N), member(A, Up), unify_with_occurs_check(N, A), nb_inc.
-solve(G, Up, D) :-
-    \+ (member(A, Up), A == G), rule(G, H, Body),
-    ( Body == [] -> D1 = D ; D > 0, D1 is D - 1 ),
-    unify_with_occurs_check(G, H), nb_inc, solve_all(Body, [G|Up], D1).
+solve(G, Up, D) :- \+ (member(A, Up), A == G), step(G, Up, D).
+step(G, Up, _) :- neg(G, N), member(A, Up), unify_with_occurs_check(N, A)COUNT.
+step(G, Up, D) :-
+    rule(G, H, Body, Cost), left(Cost, D, D1), unify_with_occurs_check(G, H)COUNT,
+    solve_all(Body, [G|Up], D1).
+left(0, D, D1) :- D1 is max(0, D - 1).
+left(1, D, D1) :- D > 0, D1 is D - 1.
 solve_all([], _, _).
 solve_all([G|Gs], Up, D) :- solve(G, Up, D), solve_all(Gs, Up, D).
 nb_inc :- nb_getval(count, C), C1 is C + 1, nb_setval(count, C1).
 main :-
     nb_setval(count, 0), depth(Most), statistics(cputime, T0),
     ( between(1, Most, D), start(Body), solve_all(Body, [], D) -> R = proved ; R = not_found ),
-    statistics(cputime, T1), nb_getval(count, C), T is max(T1 - T0, 1.0e-6), S is C / T,
-    format("~w inferences=~w cpu=~3f inferences_per_second=~0f~n", [R, C, T, S]), halt.
+    statistics(cputime, T1), nb_getval(count, C), T is max(T1 - T0, 1.0e-6),
+    format("~w ~w ~6f~n", [R, C, T]), halt.
 """
 
 
@@ -75,33 +89,102 @@ def apply(name, arguments):
     return f"{name}({','.join(arguments)})" if arguments else name
 
 
-def main():
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    if shutil.which("swipl") is None:
-        sys.exit("swipl is not installed: no comparison")
-    text = re.sub(r"%.*", "", open(sys.argv[1], encoding="utf-8").read())
+def translate(path):
+    """The program without its engine and depth."""
+    text = re.sub(r"%.*", "", open(path, encoding="utf-8").read())
     rules, predicates = [], set()
-    lines = [":- dynamic start/1, rule/3, neg/2.", ":- discontiguous start/1.", f"depth({int(sys.argv[2])})."]
+    lines = [":- dynamic start/1, rule/4, neg/2.", ":- discontiguous start/1."]
     for role, body in re.findall(r"cnf\(\s*\w+\s*,\s*(\w+)\s*,(.*?)\)\s*\.", text, re.S):
         clause = literals(body)
         if not any(positive for positive, _ in clause):
             goals = ",".join(write(other, True) for other in clause)
             lines.append(f"start([{goals}]).")
+        open_clause = any(re.search(r"\b[A-Z]", atom) for _, atom in clause)
         for i, head in enumerate(clause):
             goals = ",".join(write(o, True) for j, o in enumerate(clause) if j != i)
             name, arity = skeleton(write(head))
             predicates.add((name.removeprefix("n_"), arity))
-            rules.append(f"rule({apply(name, ['_'] * arity)}, {write(head)}, [{goals}]).")
+            cost = 1 if goals and open_clause else 0
+            rules.append(f"rule({apply(name, ['_'] * arity)}, {write(head)}, [{goals}], {cost}).")
     for name, arity in sorted(predicates):
         names = [f"V{i}" for i in range(arity)]
         pair = apply(name, names), apply("n_" + name, names)
         lines += [f"neg({pair[0]}, {pair[1]}).", f"neg({pair[1]}, {pair[0]})."]
-    lines += rules
-    with tempfile.NamedTemporaryFile("w", suffix=".pl") as program:
-        program.write("\n".join(lines) + ENGINE)
-        program.flush()
-        subprocess.run(["swipl", "-q", program.name], check=False)
+    return "\n".join(lines + rules)
+
+
+def run_prolog(program, depth, count, seconds):
+    """What came out, steps (0 without count) and processor time; None when that is not enough."""
+    engine = ENGINE.replace("COUNT", ", nb_inc" if count else "")
+    with tempfile.NamedTemporaryFile("w", suffix=".pl") as file:
+        file.write(f"{program}\ndepth({depth}).\n{engine}")
+        file.flush()
+        limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+        output = subprocess.run(["swipl", "-q", file.name], check=False, capture_output=True,
+                                text=True, preexec_fn=limit).stdout
+    found = re.fullmatch(r"(\w+) (\d+) ([\d.]+)\n", output)
+    return found and (found[1], int(found[2]), float(found[3]))
+
+
+def compare(path, depth, seconds):
+    program = translate(path)
+    counted = run_prolog(program, depth, True, 2 * seconds)
+    timed = counted and run_prolog(program, depth, False, seconds)
+    return timed and (counted[0], counted[1], timed[2])
+
+
+def deepest(path, seconds):
+    """The deepest level that is completed without a proof: depth, steps and time."""
+    best = None
+    for depth in range(1, 100):
+        result = compare(path, depth, seconds)
+        if not result or result[0] == "proved" or (best and result[1] == best[1]):
+            return best
+        if result[1] >= LEAST_STEPS:
+            best = depth, result[1], result[2]
+    return best
+
+
+def run_latchwork(command, path, depth):
+    """Steps and the least processor time of three runs, starting and reading included."""
+    times = []
+    for _ in range(3):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        output = subprocess.run([command, "prove", "--stats", "--strategy", "plain", "--depth",
+                                 str(depth), path], check=False, capture_output=True, text=True)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        times.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+    return int(re.search(r"inferences (\d+)", output.stdout)[1]), min(times)
+
+
+def table(command, seconds, paths):
+    print("| problem | depth | steps | Prolog, M/s | latchwork, M/s | ratio |\n|---|---|---|---|---|---|")
+    ratios = []
+    for path in paths:
+        text = re.sub(r"%.*", "", open(path, encoding="utf-8").read())
+        if "cnf(" not in text or "=" in text or not (found := deepest(path, seconds)):
+            continue
+        depth, steps, time = found
+        own_steps, own_time = run_latchwork(command, path, depth)
+        rates = steps / time / 1e6, own_steps / own_time / 1e6
+        same = str(steps) if steps == own_steps else f"{steps} against {own_steps}"
+        ratios.append(rates[1] / rates[0])
+        print(f"| {pathlib.Path(path).stem} | {depth} | {same} | {rates[0]:.2f} | {rates[1]:.1f} "
+              f"| {ratios[-1]:.0f} |", flush=True)
+    if ratios:
+        print(f"| median | | | | | {statistics.median(ratios):.0f} |")
+
+
+def main():
+    if shutil.which("swipl") is None:
+        sys.exit("swipl is not installed: no comparison")
+    if len(sys.argv) > 3 and sys.argv[1] == "--table":
+        table(sys.argv[2], int(sys.argv[3]), sys.argv[4:])
+    elif len(sys.argv) == 3:
+        result = compare(sys.argv[1], int(sys.argv[2]), 3600)
+        print("{} inferences={} cpu={:.3f}".format(*result) if result else "no result in an hour")
+    else:
+        sys.exit(__doc__)
 
 
 if __name__ == "__main__":

@@ -82,7 +82,8 @@ inline bool Tableau::Advance() {
 
 void Tableau::Leave() {
   const Frame& frame = frames_[place_.frame];
-  const bool most_general = bindings_.trail_size() - frame.trail <= kMostTrailLooked &&
+  const bool most_general = strategy_.prune &&
+                            bindings_.trail_size() - frame.trail <= kMostTrailLooked &&
                             bindings_.BoundOnlyFrom(frame.fresh, frame.trail);
   if (most_general || strategy_.cut == Cut::kInclusive) {
     if (choices_.size() > frame.height) {
@@ -220,7 +221,7 @@ bool Tableau::TryReductions() {
 
 inline void Tableau::SolvedAtOnce(const Choice& choice, std::uint32_t height) {
   ++place_.literal;
-  const bool most_general = bindings_.trail_size() == choice.trail;
+  const bool most_general = strategy_.prune && bindings_.trail_size() == choice.trail;
   if (choices_.size() == height || (!most_general && strategy_.cut != Cut::kInclusive)) return;
   pruned_ = pruned_ || !most_general;
   choices_.Truncate(height);
