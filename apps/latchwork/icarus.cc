@@ -54,10 +54,11 @@ void PrintFindings(const std::string& file, const icarus::Findings& findings) {
 }
 
 void AddIcarus(CLI::App& app, Context& context) {
-  CLI::App* command = app.add_subcommand("icarus", "Check and format Icarus programs");
+  CLI::App* command = app.add_subcommand("icarus", "Check, format and run Icarus programs");
   command->require_subcommand(1);
   AddIcarusCheck(*command, context);
   AddIcarusFormat(*command, context);
+  AddIcarusRun(*command, context);
 }
 
 }  // namespace latchwork::app

@@ -11,7 +11,7 @@ constexpr Severity kError = Severity::kError;
 constexpr Severity kWarning = Severity::kWarning;
 
 /// In the order of Code. A name, once published, keeps its meaning.
-constexpr std::array<CodeInfo, 28> kCodes = {{
+constexpr std::array<CodeInfo, 29> kCodes = {{
     {"I001", kError,
      "A bracket is missing, superfluous or of the wrong kind. Lists stand in ( ), calls of host "
      "functions in { }."},
@@ -77,6 +77,10 @@ constexpr std::array<CodeInfo, 28> kCodes = {{
     {"I026", kWarning, "The same name is spelt with different letters in upper and lower case."},
     {"I027", kError, "The function takes another number of arguments, or others."},
     {"I028", kError, "The host offers no function of this name."},
+    {"I029", kError,
+     "A script of a world holds (top (Skill argument ...)), (functions name ...) and "
+     "(cycle item ...), whose items are (answer {function argument ...} value), (store fact), "
+     "(forget pattern), (top call), (idle), (repeat n) and (expect {act} ... true|false|fault)."},
 }};
 
 }  // namespace

@@ -45,6 +45,7 @@ enum class Code : std::uint8_t {
   kSpelling,
   kFunctionArguments,
   kUnknownFunction,
+  kScript,
 };
 
 enum class Severity : std::uint8_t { kError, kWarning };

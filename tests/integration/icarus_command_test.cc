@@ -78,5 +78,49 @@ TEST_F(IcarusCommandTest, Format_BrokenProgram_IsLeftAlone) {
   EXPECT_EQ(ReadText(scratch_.path() / "p.icarus"), broken);
 }
 
+constexpr const char* kNear =
+    "(Near (?car ?d) :objective ((Distance ?car ?d) {< ?d 1.0}) :means ((GoForward)))\n"
+    "(Distance (?car ?d) :sensor ((bind ?d {range-to ?car})))\n"
+    "(GoForward () :action ({goforward}))\n";
+constexpr const char* kApproach =
+    "(top (Near car1 ?d))\n(cycle (answer {range-to car1} 3.0) (expect {goforward}))\n"
+    "(cycle (expect {goforward}))\n(cycle (answer {range-to car1} 0.5) (expect true))\n";
+
+TEST_F(IcarusCommandTest, Run_ScriptedWorld_PrintsActsAndTruth) {
+  WriteText(scratch_.path() / "w.world", kApproach);
+  const CommandResult result = Icarus({"run", "p.icarus", "--script", "w.world"}, kNear);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out,
+            "1: start {goforward}\n2: continue {goforward}\n"
+            "3: stop {goforward} True ?d=0.5\n");
+}
+
+TEST_F(IcarusCommandTest, Run_Json_IsOneObjectPerCycle) {
+  WriteText(scratch_.path() / "w.world", kApproach);
+  const CommandResult result = Icarus({"run", "p.icarus", "--script", "w.world", "--json"}, kNear);
+  const auto first = nlohmann::json::parse(result.out.substr(0, result.out.find('\n')));
+  EXPECT_EQ(first["acts"][0], "{goforward}");
+  EXPECT_EQ(first["clauses"], 5);
+}
+
+TEST_F(IcarusCommandTest, Run_UnmetExpectation_IsReported) {
+  WriteText(scratch_.path() / "w.world",
+            "(top (Near car1 ?))\n(cycle (answer {range-to car1} far) (expect true))\n");
+  const CommandResult result = Icarus({"run", "p.icarus", "--script", "w.world"}, kNear);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.err.find("p.icarus:1:51: fault in cycle 1"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("w.world:2: cycle 1 is not as expected: true"), std::string::npos)
+      << result.err;
+}
+
+TEST_F(IcarusCommandTest, Run_BadScriptOrUnknownFunction_IsRefused) {
+  WriteText(scratch_.path() / "w.world", "(top (Near car1 ?))\n(cycle (anser {f} t))\n");
+  EXPECT_EQ(Icarus({"run", "p.icarus", "--script", "w.world"}, kNear).exit_code, 3);
+  WriteText(scratch_.path() / "w.world", "(top (Near car1 ?))\n(cycle (answer {rangeto ?} 1))\n");
+  const CommandResult result = Icarus({"run", "p.icarus", "--script", "w.world"}, kNear);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_NE(result.err.find("did you mean {rangeto}?"), std::string::npos) << result.err;
+}
+
 }  // namespace
 }  // namespace latchwork::testing
