@@ -135,6 +135,7 @@ class Machine {
   void SetVariable(Index at, const Value& value);
   Value CallFunction(std::uint32_t call, Index base);
   bool PushArguments(const CallCode& call, Index base);
+  Value AskHost(const CallCode& call, std::span<const Value> arguments);
   Value CallHost(const CallCode& call, std::span<const Value> arguments);
   Value CallBuiltin(const CallCode& call, std::span<const Value> arguments);
   Value Compare(Builtin builtin, const Value& a, const Value& b);

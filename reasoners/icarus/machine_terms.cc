@@ -156,20 +156,24 @@ Value Machine::CallFunction(std::uint32_t index, Index base) {
   return answer;
 }
 
+Value Machine::AskHost(const CallCode& call, std::span<const Value> arguments) {
+  try {
+    return host_.Call(call.function, arguments, arena_, names_);
+  } catch (const std::exception& error) {
+    Fail(call.form, "{" + std::string(names_.Name(call.name)) + "}: " + error.what());
+  } catch (...) {
+    Fail(call.form, "{" + std::string(names_.Name(call.name)) + "} failed");
+  }
+  return {};
+}
+
 Value Machine::CallHost(const CallCode& call, std::span<const Value> arguments) {
   const bool cached = !host_.functions()[call.function].changes_memory;
   if (cached) {
     const Value* const known = cache_.Find(call.function, arguments);
     if (known != nullptr) return *known;
   }
-  Value answer;
-  try {
-    answer = host_.Call(call.function, arguments, arena_, names_);
-  } catch (const std::exception& error) {
-    Fail(call.form, "{" + std::string(names_.Name(call.name)) + "}: " + error.what());
-  } catch (...) {
-    Fail(call.form, "{" + std::string(names_.Name(call.name)) + "} failed");
-  }
+  const Value answer = AskHost(call, arguments);
   if (cached) {
     const std::span<Value> copy = arena_.MakeValues(arguments.size());
     std::copy(arguments.begin(), arguments.end(), copy.begin());

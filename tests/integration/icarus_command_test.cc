@@ -108,7 +108,7 @@ TEST_F(IcarusCommandTest, Run_UnmetExpectation_IsReported) {
             "(top (Near car1 ?))\n(cycle (answer {range-to car1} far) (expect true))\n");
   const CommandResult result = Icarus({"run", "p.icarus", "--script", "w.world"}, kNear);
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_NE(result.err.find("p.icarus:1:51: fault in cycle 1"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("p.icarus:1:48: fault in cycle 1"), std::string::npos) << result.err;
   EXPECT_NE(result.err.find("w.world:2: cycle 1 is not as expected: true"), std::string::npos)
       << result.err;
 }
