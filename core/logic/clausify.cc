@@ -82,7 +82,9 @@ class Clausifier {
   void Translate(const AnnotatedFormula& annotated, const Clause& pattern, const Atom* condition,
                  const Source& source) {
     NormalTree tree = NormalTree::Of(annotated.formula, annotated.role != Role::kConjecture);
-    auto free = Miniscope(tree);
+    const bool is_clause = annotated.is_clause && annotated.role != Role::kConjecture;
+    // A clause has no quantifiers to be moved, and may have a hundred thousand variables.
+    auto free = is_clause ? std::nullopt : Miniscope(tree);
     FreeVariableTable* table = free ? &*free : nullptr;
     std::vector<ClauseMaker::Signed> disjunction;
     if (condition != nullptr) {
@@ -91,8 +93,7 @@ class Clausifier {
     }
     disjunction.push_back({tree.root, true});
     const auto names = NameSubformulas(tree, table, options_.distribution_limit, symbols_);
-    const bool records =
-        origins_ != nullptr && (!annotated.is_clause || annotated.role == Role::kConjecture);
+    const bool records = origins_ != nullptr && !is_clause;
     ClauseRecorder recorder(annotated.variable_names);
     ClauseMaker maker(tree, table, annotated.variable_names, symbols_, work_,
                       records ? &recorder : nullptr);

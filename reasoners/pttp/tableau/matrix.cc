@@ -2,7 +2,6 @@
 #include "reasoners/pttp/tableau/matrix.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "reasoners/pttp/tableau/cell_writer.h"
@@ -12,12 +11,12 @@ namespace latchwork::pttp {
 using logic::Clause;
 using logic::Term;
 
-Matrix::Matrix(std::span<const Clause> clauses, const Strategy& strategy) {
+Matrix::Matrix(std::span<const Clause> clauses, const Strategy& strategy) : order_(strategy.order) {
   cells_.push_back(0);
   AddLiterals(clauses);
   Reserve();
   AddProbes();
-  AddEntries(strategy);
+  AddEntries();
   ChooseStarts(clauses, strategy);
 }
 
@@ -56,40 +55,55 @@ void Matrix::AddLiterals(std::span<const Clause> clauses) {
 void Matrix::Reserve() {
   std::size_t arguments = 0;
   for (const MatrixLiteral& literal : literals_) arguments += literal.arity;
-  std::size_t bodies = 0;
-  for (const ClauseRange& clause : clauses_) {
-    bodies += (clause.count + std::size_t{1}) * (clause.count + std::size_t{1});
-  }
   probes_.reserve(Fingerprint::kBelow * arguments);
   heads_.reserve(arguments);
-  bodies_.reserve(bodies);
   entries_.reserve(literals_.size() + clauses_.size());
 }
 
-const Entry* Matrix::AddEntry(const ClauseRange& clause, const MatrixLiteral* head,
-                              const Strategy& strategy) {
+const Entry* Matrix::AddEntry(const ClauseRange& clause, const MatrixLiteral* head) {
   Entry entry;
   entry.slots = clause.slots;
   entry.clause = static_cast<std::uint32_t>(&clause - clauses_.data());
-  entry.body = bodies_.data() + bodies_.size();
-  const auto begin = bodies_.end();
-  for (const MatrixLiteral& literal : ClauseLiterals(entry.clause)) {
-    if (&literal != head) bodies_.push_back(&literal);
-  }
-  entry.unit = begin == bodies_.end();
+  entry.unit = clause.count == (head == nullptr ? 0U : 1U);
   entry.free = entry.unit || clause.ground;
-  if (strategy.order == BodyOrder::kReversed) std::reverse(begin, bodies_.end());
-  if (strategy.order == BodyOrder::kFewest) {
-    std::stable_sort(begin, bodies_.end(), [&](const auto* a, const auto* b) {
-      return ways_of_key_[a->key ^ 1U].size() < ways_of_key_[b->key ^ 1U].size();
-    });
-  }
-  bodies_.push_back(nullptr);
   if (head != nullptr) entry.head = AddHead(*head, entry);
   return &entries_.emplace_back(entry);
 }
 
-void Matrix::AddEntries(const Strategy& strategy) {
+/// Not before it is needed: all ways into a clause together are as large as its square.
+void Matrix::AddBody(const Entry& of, const MatrixLiteral* head) {
+  if (of.body != nullptr) return;
+  const std::span<const MatrixLiteral> literals = ClauseLiterals(of.clause);
+  const MatrixLiteral** const body = RoomForBody(literals.size() + 1);
+  const MatrixLiteral** end = body;
+  for (const MatrixLiteral& literal : literals) {
+    if (&literal != head) *end++ = &literal;
+  }
+  *end = nullptr;
+  if (order_ == BodyOrder::kReversed) std::reverse(body, end);
+  if (order_ == BodyOrder::kFewest) {
+    std::stable_sort(body, end, [&](const auto* a, const auto* b) {
+      return ways_of_key_[a->key ^ 1U].size() < ways_of_key_[b->key ^ 1U].size();
+    });
+  }
+  entries_[static_cast<std::size_t>(&of - entries_.data())].body = body;
+}
+
+const MatrixLiteral** Matrix::RoomForBody(std::size_t size) {
+  constexpr std::size_t kBlock = 4096;
+  if (body_room_ < size) {
+    body_room_ = std::max(size, kBlock);
+    bodies_.push_back(std::make_unique<const MatrixLiteral*[]>(body_room_));
+    body_end_ = bodies_.back().get();
+    body_bytes_ += body_room_ * sizeof(const MatrixLiteral*);
+  }
+  const MatrixLiteral** const body = body_end_;
+  body_end_ += size;
+  body_room_ -= size;
+  return body;
+}
+
+void Matrix::AddEntries() {
   ways_of_key_.resize(keys_);
   for (const MatrixLiteral& literal : literals_) {
     ways_of_key_[literal.key].push_back({&literal, nullptr});
@@ -98,7 +112,7 @@ void Matrix::AddEntries(const Strategy& strategy) {
   for (const ClauseRange& clause : clauses_) {
     for (const MatrixLiteral& head :
          ClauseLiterals(static_cast<std::uint32_t>(&clause - clauses_.data()))) {
-      ways_of_key_[head.key][next[head.key]++].entry = AddEntry(clause, &head, strategy);
+      ways_of_key_[head.key][next[head.key]++].entry = AddEntry(clause, &head);
     }
   }
   for (auto& ways : ways_of_key_) {
@@ -217,15 +231,33 @@ bool Matrix::CanConnect(const MatrixLiteral& goal, const MatrixLiteral& head) co
   return true;
 }
 
+/// The first of the literals that are the same; the literal itself where it has variables.
+MatrixLiteral& Matrix::Representative(MatrixLiteral& literal) {
+  const auto begin = cells_.begin() + literal.arguments;
+  if (!std::all_of(begin, begin + literal.arity, IsGround)) return literal;
+  std::vector<Cell> text{literal.key};
+  text.insert(text.end(), begin, begin + literal.arity);
+  return *representatives_.try_emplace(std::move(text), &literal).first->second;
+}
+
 void Matrix::FindConnections(const MatrixLiteral& goal) {
+  MatrixLiteral& literal = literals_[static_cast<std::size_t>(&goal - literals_.data())];
+  const MatrixLiteral& same = Representative(literal);
+  if (same.first != nullptr) {
+    literal.first = same.first;
+    literal.free_end = same.free_end;
+    literal.end = same.end;
+    return;
+  }
   std::vector<Connection>& found = connections_.emplace_back();
   for (const Way& way : ways_of_key_[goal.key ^ 1U]) {
-    if (CanConnect(goal, *way.head)) found.push_back({FingerprintOf(*way.head), way.entry});
+    if (!CanConnect(goal, *way.head)) continue;
+    AddBody(*way.entry, way.head);
+    found.push_back({FingerprintOf(*way.head), way.entry});
   }
   const auto free_end = std::stable_partition(
       found.begin(), found.end(), [](const Connection& way) { return way.entry->free; });
   found.reserve(1);  // So that there is an address, which says that it was looked for.
-  MatrixLiteral& literal = literals_[static_cast<std::size_t>(&goal - literals_.data())];
   literal.first = found.data();
   literal.free_end = literal.first + (free_end - found.begin());
   literal.end = literal.first + found.size();
@@ -256,7 +288,8 @@ void Matrix::ChooseStarts(std::span<const Clause> clauses, const Strategy& strat
   std::stable_sort(others.begin(), others.end(), by_size);
   conjectures.insert(conjectures.end(), others.begin(), others.end());
   for (const std::uint32_t clause : conjectures) {
-    starts_.push_back(AddEntry(clauses_[clause], nullptr, strategy));
+    starts_.push_back(AddEntry(clauses_[clause], nullptr));
+    AddBody(*starts_.back(), nullptr);
   }
 }
 
@@ -266,7 +299,7 @@ std::size_t Matrix::bytes() const {
   return connections + cells_.capacity() * sizeof(Cell) +
          literals_.capacity() * sizeof(MatrixLiteral) + entries_.capacity() * sizeof(Entry) +
          heads_.capacity() * sizeof(HeadArgument) + probes_.capacity() * sizeof(Probe) +
-         bodies_.capacity() * sizeof(void*);
+         body_bytes_;
 }
 
 }  // namespace latchwork::pttp

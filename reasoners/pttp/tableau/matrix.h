@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <ranges>
 #include <span>
 #include <vector>
@@ -66,7 +68,7 @@ struct HeadArgument {
 /// of `body`, which null ends, are then open.
 struct Entry {
   const HeadArgument* head = nullptr;
-  const MatrixLiteral* const* body = nullptr;
+  const MatrixLiteral* const* body = nullptr;  ///< Null until something is connected to it.
   std::uint32_t slots = 0;
   std::uint32_t clause = 0;
   bool unit = false;
@@ -120,18 +122,21 @@ class Matrix {
 
   void AddLiterals(std::span<const logic::Clause> clauses);
   void Reserve();
-  void AddEntries(const Strategy& strategy);
-  const Entry* AddEntry(const ClauseRange& clause, const MatrixLiteral* head,
-                        const Strategy& strategy);
+  void AddEntries();
+  const Entry* AddEntry(const ClauseRange& clause, const MatrixLiteral* head);
+  void AddBody(const Entry& of, const MatrixLiteral* head);
+  const MatrixLiteral** RoomForBody(std::size_t size);
   const HeadArgument* AddHead(const MatrixLiteral& head, const Entry& entry);
   bool TakesNewOnly(Cell argument, std::vector<bool>& seen) const;
   void ChooseStarts(std::span<const logic::Clause> clauses, const Strategy& strategy);
+  MatrixLiteral& Representative(MatrixLiteral& literal);
   void FindConnections(const MatrixLiteral& goal);
   bool CanConnect(const MatrixLiteral& goal, const MatrixLiteral& head) const;
   Fingerprint FingerprintOf(const MatrixLiteral& literal) const;
   void AddProbes();
   void AddProbes(MatrixLiteral& literal, std::uint64_t places);
 
+  BodyOrder order_;
   std::vector<Cell> cells_;
   std::vector<logic::Term> functors_;
   std::vector<MatrixLiteral> literals_;
@@ -139,9 +144,13 @@ class Matrix {
   std::vector<Probe> probes_;
   std::vector<Entry> entries_;
   std::vector<HeadArgument> heads_;
-  std::vector<const MatrixLiteral*> bodies_;
+  std::vector<std::unique_ptr<const MatrixLiteral*[]>> bodies_;
+  const MatrixLiteral** body_end_ = nullptr;
+  std::size_t body_room_ = 0;
+  std::size_t body_bytes_ = 0;
   std::vector<std::vector<Way>> ways_of_key_;
   std::vector<std::vector<Connection>> connections_;
+  std::map<std::vector<Cell>, MatrixLiteral*> representatives_;  ///< Of literals without variables.
   std::vector<const Entry*> starts_;
   std::uint32_t keys_ = 0;
   std::vector<logic::Symbol> predicates_;
