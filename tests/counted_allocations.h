@@ -4,16 +4,19 @@
 #ifndef LATCHWORK_TESTS_COUNTED_ALLOCATIONS_H_
 #define LATCHWORK_TESTS_COUNTED_ALLOCATIONS_H_
 
+#include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
 
 namespace latchwork::test {
 
-inline std::size_t& Allocations() {
-  static std::size_t count = 0;
+inline std::atomic<std::size_t>& AllocationCounter() {
+  static std::atomic<std::size_t> count = 0;
   return count;
 }
+/// Of all threads, since the program began.
+inline std::size_t Allocations() { return AllocationCounter(); }
 
 }  // namespace latchwork::test
 
@@ -21,12 +24,12 @@ inline std::size_t& Allocations() {
 // calls, it would warn of a mismatch.
 // NOLINTBEGIN(misc-definitions-in-headers)
 [[gnu::noinline]] void* operator new(std::size_t size) {
-  ++latchwork::test::Allocations();
+  ++latchwork::test::AllocationCounter();
   if (void* memory = std::malloc(size); memory != nullptr) return memory;
   throw std::bad_alloc();
 }
 [[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++latchwork::test::Allocations();
+  ++latchwork::test::AllocationCounter();
   return std::malloc(size);
 }
 [[gnu::noinline]] void operator delete(void* memory, const std::nothrow_t&) noexcept {

@@ -27,7 +27,7 @@ class PredicateSet {
   bool Any(Test&& test) const {
     for (std::size_t i = 0; i < words_.size(); ++i) {
       for (std::uint64_t bits = words_[i]; bits != 0; bits &= bits - 1) {
-        const std::size_t bit = static_cast<std::size_t>(std::countr_zero(bits));
+        const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
         if (test(static_cast<PredicateId>(64 * i + bit))) return true;
       }
     }

@@ -66,8 +66,8 @@ class Tables {
   };
   /// One Solve.
   struct Run {
-    TableProgram* program;
-    ProofSink* sink;
+    TableProgram* program = nullptr;
+    ProofSink* sink = nullptr;
     bool enough = false;
     bool unfit = false;
   };
