@@ -5,37 +5,37 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace latchwork::pttp {
 namespace {
 
-constexpr std::size_t kMostArguments = 2;
-using Numbers = std::array<logic::Term, kMostArguments>;
-
-logic::Term NumberTerm(Word word) {
-  const Word bits = *AddressOf(word);
-  return TagOf(word) == Tag::kInteger ? logic::Term::Integer(std::bit_cast<std::int64_t>(bits))
-                                      : logic::Term::Real(std::bit_cast<double>(bits));
+logic::Term ToTerm(const Number& number) {
+  return number.tag == Tag::kInteger ? logic::Term::Integer(std::bit_cast<std::int64_t>(number.bits))
+                                     : logic::Term::Real(number.real());
 }
 
-/// Nothing when one is not a number.
-std::optional<Numbers> ToNumbers(const Word* words, std::size_t count) {
-  if (count > kMostArguments) return std::nullopt;
-  Numbers numbers;
+using Terms = std::array<logic::Term, Calculator::kMostArguments>;
+
+Terms ToTerms(const Number* numbers, std::size_t count) {
+  Terms terms;
+  for (std::size_t i = 0; i < count; ++i) terms[i] = ToTerm(numbers[i]);
+  return terms;
+}
+
+using Numbers = std::array<Number, Calculator::kMostArguments>;
+
+/// False when one is not a number.
+bool ReadNumbers(const Word* words, std::size_t count, Numbers& numbers) {
+  if (count > numbers.size()) return false;
   for (std::size_t i = 0; i < count; ++i) {
     const Word word = Dereference(words[i]);
-    if (!IsNumber(word)) return std::nullopt;
-    numbers[i] = NumberTerm(word);
+    if (!IsNumber(word)) return false;
+    numbers[i] = Number::In(word);
   }
-  return numbers;
+  return true;
 }
-
-bool IsFiniteReal(Word word) {
-  return TagOf(word) == Tag::kReal && std::isfinite(std::bit_cast<double>(*AddressOf(word)));
-}
-
-double RealOf(Word word) { return std::bit_cast<double>(*AddressOf(word)); }
 
 /// A function applied to numbers.
 bool IsFlat(Word word) {
@@ -44,8 +44,10 @@ bool IsFlat(Word word) {
   return std::all_of(block + 1, block + 1 + ArityOf(block[0]), IsNumber);
 }
 
-/// Nothing for the rarer functions.
-std::optional<double> Combine(logic::Arithmetic::Function function, double a, double b) {
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// Not finite for the rarer functions, and where there may be no value.
+double Combine(logic::Arithmetic::Function function, double a, double b) {
   using Function = logic::Arithmetic::Function;
   switch (function) {
     case Function::kSum:
@@ -54,36 +56,82 @@ std::optional<double> Combine(logic::Arithmetic::Function function, double a, do
       return a - b;
     case Function::kProduct:
       return a * b;
+    case Function::kQuotient:
+      return b == 0.0 ? kNone : a / b;
+    case Function::kMin:
+      return std::min(a, b);
+    case Function::kMax:
+      return std::max(a, b);
     default:
-      return std::nullopt;
+      return kNone;
   }
+}
+
+double Change(logic::Arithmetic::Function function, double a) {
+  using Function = logic::Arithmetic::Function;
+  if (function == Function::kAbs) return std::fabs(a);
+  return function == Function::kUminus ? -a : kNone;
+}
+
+/// The usual case; false for all others.
+bool ApplyToReals(logic::Arithmetic::Function function, const Number* numbers, std::size_t arity,
+                  Number& result) {
+  if (!numbers[0].IsFiniteReal()) return false;
+  double value = kNone;
+  if (arity == 1) {
+    value = Change(function, numbers[0].real());
+  } else if (numbers[1].IsFiniteReal()) {
+    value = Combine(function, numbers[0].real(), numbers[1].real());
+  }
+  if (!std::isfinite(value)) return false;
+  result = Number::Real(value == 0.0 ? 0.0 : value);
+  return true;
 }
 
 }  // namespace
 
-std::optional<bool> Calculator::Decide(logic::Arithmetic::Predicate predicate,
-                                       const Word* arguments, std::size_t arity) {
-  if (arity == 2 && IsFiniteReal(arguments[0]) && IsFiniteReal(arguments[1])) {
-    return logic::Arithmetic::Evaluate(predicate, RealOf(arguments[0]), RealOf(arguments[1]));
-  }
-  const auto numbers = ToNumbers(arguments, arity);
-  if (!numbers) return std::nullopt;
-  return logic::Arithmetic::Evaluate(predicate, std::span(numbers->data(), arity));
+Word Box(const Number& number, Arena& heap) {
+  Word* box = heap.Allocate(1);
+  *box = number.bits;
+  return Tagged(number.tag, box);
 }
 
-std::optional<Word> Calculator::Apply(const Word* block, const Word* arguments) {
+bool Calculator::Apply(logic::Arithmetic::Function function, const Number* numbers,
+                       std::size_t arity, Number& result) {
+  if (ApplyToReals(function, numbers, arity, result)) return true;
+  const Terms terms = ToTerms(numbers, arity);
+  const auto value = logic::Arithmetic::Evaluate(function, std::span(terms.data(), arity));
+  if (!value) return false;
+  result = value->kind() == logic::Term::Kind::kInteger
+               ? Number{Tag::kInteger, std::bit_cast<Word>(value->integer())}
+               : Number::Real(value->real());
+  return true;
+}
+
+std::optional<bool> Calculator::Decide(logic::Arithmetic::Predicate predicate,
+                                       const Number* numbers, std::size_t arity) {
+  if (arity == 2 && numbers[0].IsFiniteReal() && numbers[1].IsFiniteReal()) {
+    return logic::Arithmetic::Evaluate(predicate, numbers[0].real(), numbers[1].real());
+  }
+  const Terms terms = ToTerms(numbers, arity);
+  return logic::Arithmetic::Evaluate(predicate, std::span(terms.data(), arity));
+}
+
+std::optional<bool> Calculator::Decide(logic::Arithmetic::Predicate predicate,
+                                       const Word* arguments, std::size_t arity) {
+  Numbers numbers;
+  if (!ReadNumbers(arguments, arity, numbers)) return std::nullopt;
+  return Decide(predicate, numbers.data(), arity);
+}
+
+std::optional<Word> Calculator::Rebuild(const Word* block, const Word* arguments) {
   const std::size_t arity = ArityOf(block[0]);
   if (const auto function = (*functors_)[NumberOf(block[0])].function) {
-    if (arity == 2 && IsFiniteReal(arguments[0]) && IsFiniteReal(arguments[1])) {
-      const auto value = Combine(*function, RealOf(arguments[0]), RealOf(arguments[1]));
-      if (value && std::isfinite(*value)) return RealWord(*value, *heap_);
-    }
-    const auto numbers = ToNumbers(arguments, arity);
-    if (!numbers) return std::nullopt;
-    const auto value = logic::Arithmetic::Evaluate(*function, std::span(numbers->data(), arity));
-    if (!value) return std::nullopt;
-    return value->kind() == logic::Term::Kind::kInteger ? IntegerWord(value->integer(), *heap_)
-                                                        : RealWord(value->real(), *heap_);
+    Numbers numbers;
+    Number value;
+    if (!ReadNumbers(arguments, arity, numbers)) return std::nullopt;
+    if (!Apply(*function, numbers.data(), arity, value)) return std::nullopt;
+    return Box(value, *heap_);
   }
   Word* copy = heap_->Allocate(arity + 1);
   copy[0] = block[0];
@@ -92,7 +140,7 @@ std::optional<Word> Calculator::Apply(const Word* block, const Word* arguments) 
 }
 
 std::optional<Word> Calculator::Normalize(Word word) {
-  if (IsFlat(word)) return Apply(AddressOf(word), AddressOf(word) + 1);
+  if (IsFlat(word)) return Rebuild(AddressOf(word), AddressOf(word) + 1);
   values_.clear();
   visits_.assign(1, {word, false});
   while (!visits_.empty()) {
@@ -110,7 +158,7 @@ std::optional<Word> Calculator::Normalize(Word word) {
       for (std::size_t i = arity; i > 0; --i) visits_.push_back({block[i], false});
       continue;
     }
-    const auto value = Apply(block, values_.data() + values_.size() - arity);
+    const auto value = Rebuild(block, values_.data() + values_.size() - arity);
     if (!value) return std::nullopt;
     values_.resize(values_.size() - arity);
     values_.push_back(*value);
@@ -130,7 +178,7 @@ bool Calculator::Differ(Word a, Word b, bool unique_names) {
     pairs_.pop_back();
     if (SameAtomic(left, right)) continue;
     if (IsNumber(left) && IsNumber(right)) {
-      if (NumberTerm(left).number() != NumberTerm(right).number()) return true;
+      if (ToTerm(Number::In(left)).number() != ToTerm(Number::In(right)).number()) return true;
       continue;
     }
     const bool left_known = IsNumber(left) || is_distinct_object(left);

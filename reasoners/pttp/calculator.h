@@ -2,7 +2,11 @@
 #ifndef LATCHWORK_PTTP_CALCULATOR_H_
 #define LATCHWORK_PTTP_CALCULATOR_H_
 
+#include <bit>
+#include <cmath>
+#include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "latchwork/logic/arithmetic.h"
@@ -13,10 +17,31 @@
 
 namespace latchwork::pttp {
 
+/// A number outside of any box.
+struct Number {
+  Tag tag = Tag::kInteger;  ///< kInteger or kReal.
+  Word bits = 0;
+
+  static Number In(Word boxed) { return {TagOf(boxed), *AddressOf(boxed)}; }
+  static Number Real(double value) { return {Tag::kReal, std::bit_cast<Word>(value)}; }
+  double real() const { return std::bit_cast<double>(bits); }
+  bool IsFiniteReal() const { return tag == Tag::kReal && std::isfinite(real()); }
+};
+
+/// Puts a number into a box.
+Word Box(const Number& number, Arena& heap);
+
 /// Ground arithmetic on words.
 class Calculator {
  public:
   Calculator(const Functors& functors, Arena& heap) : functors_(&functors), heap_(&heap) {}
+
+  static constexpr std::size_t kMostArguments = 2;
+  /// Applies a function to as many numbers as it takes. False: no value.
+  static bool Apply(logic::Arithmetic::Function function, const Number* numbers, std::size_t arity,
+                    Number& result);
+  static std::optional<bool> Decide(logic::Arithmetic::Predicate predicate, const Number* numbers,
+                                    std::size_t arity);
 
   /// Evaluates the interpreted functions of a ground term; nothing when one has no value.
   std::optional<Word> Normalize(Word word);
@@ -32,7 +57,7 @@ class Calculator {
     Word word;
     bool expanded;
   };
-  std::optional<Word> Apply(const Word* block, const Word* arguments);
+  std::optional<Word> Rebuild(const Word* block, const Word* arguments);
 
   const Functors* functors_;
   Arena* heap_;

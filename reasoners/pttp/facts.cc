@@ -122,27 +122,20 @@ void FactTable::Build(std::size_t index) {
   column.built = true;
 }
 
-FactTable::Cursor FactTable::Find(const Word* goal) {
-  if (rows_ == 0) return {};
-  if (rows_ > kSmall) {
-    for (std::size_t i = 0; i < arity_; ++i) {
-      const Word key = Dereference(goal[i]);
-      if (!IsKey(key)) continue;
-      if (!columns_[i].built) Build(i);
-      const Column& column = columns_[i];
-      return {this, column.first[ShallowHash(key) & (column.first.size() - 1)],
-              static_cast<std::uint32_t>(i)};
-    }
-  }
-  return {this, 0, kNoRow};
+FactTable::Cursor FactTable::FindBy(std::size_t column, Word key) {
+  if (rows_ <= kSmall) return All();
+  Column& index = columns_[column];
+  if (!index.built) Build(column);
+  const std::uint32_t row = index.first[ShallowHash(key) & (index.first.size() - 1)];
+  return {this, row, static_cast<std::uint32_t>(column)};
 }
 
-void FactTable::Advance(Cursor& cursor) {
-  if (cursor.column == kNoRow) {
-    cursor.row = cursor.row + 1 < cursor.table->rows_ ? cursor.row + 1 : kNoRow;
-  } else {
-    cursor.row = cursor.table->columns_[cursor.column].next[cursor.row];
+FactTable::Cursor FactTable::Find(const Word* goal) {
+  for (std::size_t i = 0; rows_ > kSmall && i < arity_; ++i) {
+    const Word key = Dereference(goal[i]);
+    if (IsKey(key)) return FindBy(i, key);
   }
+  return All();
 }
 
 FactSource& FactStore::AddSource(std::string name) {

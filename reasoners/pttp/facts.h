@@ -51,7 +51,16 @@ class FactTable {
     std::uint32_t column = kNoRow;  ///< The index that is followed; kNoRow: row by row.
   };
   Cursor Find(const Word* goal);
-  static void Advance(Cursor& cursor);
+  /// The same for one argument, which is ground.
+  Cursor FindBy(std::size_t column, Word key);
+  Cursor All() const { return {this, rows_ == 0 ? kNoRow : 0, kNoRow}; }
+  static void Advance(Cursor& cursor) {
+    if (cursor.column == kNoRow) {
+      cursor.row = cursor.row + 1 < cursor.table->rows_ ? cursor.row + 1 : kNoRow;
+    } else {
+      cursor.row = cursor.table->columns_[cursor.column].next[cursor.row];
+    }
+  }
 
  private:
   static constexpr std::uint32_t kSmall = 8;

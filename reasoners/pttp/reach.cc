@@ -23,6 +23,7 @@ class ReachFinder {
   }
 
   Reach Find() {
+    MarkClosing();
     do {
       MarkReachable();
       MarkMeeting();
@@ -33,6 +34,28 @@ class ReachFinder {
   }
 
  private:
+  /// While all rules are there: which of them are of use may depend on closing as well.
+  void MarkClosing() {
+    std::vector<bool>& closes = reach_.closes;
+    closes.assign(count_, false);
+    for (std::uint32_t key = 0; key < count_; key += 2) {
+      closes[key] = predicates_[key / 2].minimized.has_value();
+    }
+    const auto leads_there = [&](const Contrapositive* rule) {
+      return std::any_of(
+          rule->body.begin(), rule->body.end(),
+          [&](const CompiledLiteral& literal) { return closes[SignedOf(literal)]; });
+    };
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::uint32_t key = 0; key < count_; ++key) {
+        const auto& rules = reach_.rules[key];
+        if (closes[key] || !std::any_of(rules.begin(), rules.end(), leads_there)) continue;
+        closes[key] = changed = true;
+      }
+    }
+  }
+
   void MarkReachable() {
     reachable_.assign(count_, false);
     std::vector<std::uint32_t> open;

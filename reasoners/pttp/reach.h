@@ -23,6 +23,8 @@ struct Reach {
   bool recursive = false;        ///< A goal can lead to a goal of its own predicate.
   std::uint32_t height = 0;      ///< Longest chain of goals below a goal; when not recursive.
   bool closing = true;           ///< Minimized predicates are closed.
+  /// By signed predicate: what proves it may depend on `closing`.
+  std::vector<bool> closes;
   PredicateSet sees;             ///< Whose facts it may use.
   bool asks = false;             ///< Closings or attachments may see more.
 

@@ -2,7 +2,9 @@
 #include "reasoners/pttp/table_plan.h"
 
 #include <algorithm>
-#include <utility>
+#include <span>
+
+#include "reasoners/pttp/body_planner.h"
 
 namespace latchwork::pttp {
 namespace {
@@ -10,7 +12,6 @@ namespace {
 constexpr std::size_t kMostBody = 64;
 constexpr std::uint32_t kMostArguments = 32;
 constexpr std::uint32_t kMostHeight = 64;
-constexpr int kDeepestTemplate = 16;
 
 std::uint32_t KeyOf(const CompiledLiteral& literal) {
   return Signed(literal.predicate, literal.positive);
@@ -22,14 +23,6 @@ bool IsShallow(Word word, int depth = 0) {
   const Word* block = AddressOf(word);
   return std::all_of(block + 1, block + 1 + ArityOf(block[0]),
                      [&](Word argument) { return IsShallow(argument, depth + 1); });
-}
-
-template <typename Visit>
-void ForEachSlot(Word word, Visit&& visit) {
-  if (TagOf(word) == Tag::kSlot) visit(NumberOf(word));
-  if (TagOf(word) != Tag::kTemplate) return;
-  const Word* block = AddressOf(word);
-  for (std::size_t i = 1; i <= ArityOf(block[0]); ++i) ForEachSlot(block[i], visit);
 }
 
 std::span<const Word> ArgumentsOf(const CompiledLiteral& literal) {
@@ -153,8 +146,9 @@ class TableProgram::ComponentFinder {
   std::uint32_t tallest_ = 0;
 };
 
-TableProgram::TableProgram(const Predicates& predicates, const Reach& reach, bool reorder)
-    : predicates_(&predicates), reach_(&reach), reorder_(reorder) {
+TableProgram::TableProgram(const Predicates& predicates, const Functors& functors,
+                           const Reach& reach, bool reorder)
+    : predicates_(&predicates), functors_(&functors), reach_(&reach), reorder_(reorder) {
   if (!reach.reduction_free) return;
   ComponentFinder finder(*this);
   finder.Find();
@@ -191,154 +185,58 @@ bool TableProgram::CheckRule(const Contrapositive& rule, std::uint32_t key) cons
   return !(recurs && makes_terms);
 }
 
-/// Puts the literals of a body in the order in which the machine would select them.
-class TableProgram::BodyPlanner {
- public:
-  BodyPlanner(const TableProgram& program, const Contrapositive& rule)
-      : program_(program), rule_(rule), bound_(rule.slots, false) {}
-
-  void Bind(Word word) {
-    ForEachSlot(word, [&](std::uint32_t slot) { bound_[slot] = true; });
-  }
-  bool IsBound(Word word) const {
-    bool bound = true;
-    ForEachSlot(word, [&](std::uint32_t slot) { bound = bound && bound_[slot]; });
-    return bound;
-  }
-
-  bool Plan(std::uint32_t component, std::vector<TableStep>& steps) {
-    left_.clear();
-    for (std::size_t i = 0; i < rule_.body.size(); ++i) left_.push_back(i);
-    while (!left_.empty()) {
-      const auto chosen = Choose();
-      if (chosen == left_.end()) return false;
-      steps.push_back(MakeStep(rule_.body[*chosen], component));
-      left_.erase(chosen);
-    }
-    return true;
-  }
-
- private:
-  using Place = std::vector<std::size_t>::iterator;
-
-  bool HasRules(const CompiledLiteral& literal) const {
-    return !program_.reach_->RulesFor(KeyOf(literal)).empty();
-  }
-  PredicateKind KindOf(const CompiledLiteral& literal) const {
-    return (*program_.predicates_)[literal.predicate].kind;
-  }
-
-  bool IsReady(const CompiledLiteral& literal) const {
-    const bool whole = !literal.positive &&
-                       (program_.IsClosing(literal) || KindOf(literal) == PredicateKind::kEquality);
-    for (std::uint32_t i = 0; i < literal.arity; ++i) {
-      const bool needed = whole || ((literal.needs_ground >> i) & 1U) != 0;
-      if (needed && !IsBound(literal.arguments[i])) return false;
-    }
-    if (KindOf(literal) != PredicateKind::kEquality) return true;
-    return IsBound(literal.arguments[0]) || IsBound(literal.arguments[1]);
-  }
-
-  template <typename Wanted>
-  Place First(Wanted&& wanted) {
-    return std::find_if(left_.begin(), left_.end(), [&](std::size_t index) {
-      const CompiledLiteral& literal = rule_.body[index];
-      return IsReady(literal) && wanted(literal);
-    });
-  }
-
-  Place Choose() {
-    const Place computed = First([&](const CompiledLiteral& literal) {
-      const PredicateKind kind = KindOf(literal);
-      return kind == PredicateKind::kArithmetic || kind == PredicateKind::kEquality;
-    });
-    if (computed != left_.end()) return computed;
-    const Place first = First([](const CompiledLiteral&) { return true; });
-    if (first == left_.end() || !program_.reorder_ || !HasRules(rule_.body[*first])) return first;
-    const Place extensional = First([&](const CompiledLiteral& literal) {
-      if (!literal.positive || literal.needs_ground != 0 || HasRules(literal) ||
-          KindOf(literal) != PredicateKind::kOrdinary) {
-        return false;
-      }
-      const auto arguments = ArgumentsOf(literal);
-      return std::any_of(arguments.begin(), arguments.end(),
-                         [&](Word word) { return IsBound(word); });
-    });
-    return extensional != left_.end() ? extensional : first;
-  }
-
-  TableStep::Kind StepKind(const CompiledLiteral& literal) const {
-    switch (KindOf(literal)) {
-      case PredicateKind::kArithmetic:
-        return TableStep::Kind::kArithmetic;
-      case PredicateKind::kEquality:
-        return literal.positive ? TableStep::Kind::kUnify : TableStep::Kind::kDiffer;
-      case PredicateKind::kAttachment:
-        return TableStep::Kind::kAttachment;
-      case PredicateKind::kOrdinary:
-        break;
-    }
-    if (program_.IsClosing(literal)) return TableStep::Kind::kClosing;
-    return HasRules(literal) ? TableStep::Kind::kCall : TableStep::Kind::kFacts;
-  }
-
-  TableStep MakeStep(const CompiledLiteral& literal, std::uint32_t component) {
-    TableStep step;
-    step.kind = StepKind(literal);
-    step.key = KeyOf(literal);
-    step.literal = &literal;
-    step.recursive = program_.components_[step.key].recursive &&
-                     program_.components_[step.key].number == component;
-    for (std::uint32_t i = 0; i < literal.arity; ++i) {
-      if (IsBound(literal.arguments[i])) step.ground |= std::uint64_t{1} << i;
-    }
-    for (const Word word : ArgumentsOf(literal)) {
-      ForEachSlot(word, [&](std::uint32_t slot) {
-        if (!bound_[slot]) step.binds.push_back(slot);
-        bound_[slot] = true;
-      });
-    }
-    return step;
-  }
-
-  const TableProgram& program_;
-  const Contrapositive& rule_;
-  std::vector<bool> bound_;
-  std::vector<std::size_t> left_;
-};
-
-const std::vector<TablePlan>* TableProgram::PlansFor(std::uint32_t key, std::uint64_t ground) {
-  const auto [entry, added] = plans_.try_emplace((std::uint64_t{key} << 32U) | ground);
-  Plans& plans = entry->second;
+TableCall& TableProgram::CallOf(std::uint32_t key, std::uint32_t arity, std::uint64_t ground) {
+  const auto [entry, added] = calls_.try_emplace((std::uint64_t{key} << 32U) | ground);
+  TableCall& call = entry->second;
   if (added) {
-    for (const Contrapositive* rule : reach_->rules[key]) {
-      BodyPlanner planner(*this, *rule);
-      for (std::uint32_t i = 0; i < rule->head.arity; ++i) {
-        if (((ground >> i) & 1U) != 0) planner.Bind(rule->head.arguments[i]);
-      }
-      TablePlan plan{rule, {}};
-      plans.fits = plans.fits && planner.Plan(components_[key].number, plan.steps);
-      for (const Word word : ArgumentsOf(rule->head)) {
-        plans.fits = plans.fits && planner.IsBound(word);
-      }
-      plans.plans.push_back(std::move(plan));
-    }
+    call.key = key;
+    call.ground = ground;
+    call.recursive = components_[key].recursive;
+    call.label = 2 * std::size_t{key} + (reach_->closing && reach_->closes[key] ? 1 : 0);
+    call.whole = ground == (std::uint64_t{1} << arity) - 1;
   }
-  return plans.fits ? &plans.plans : nullptr;
+  return call;
 }
 
-bool TableProgram::PlanQuery(const Contrapositive& query, bool given, TablePlan& plan) const {
+const std::vector<TablePlan>* TableProgram::PlansFor(TableCall& call) {
+  if (!call.planned) {
+    call.planned = true;
+    for (const Contrapositive* rule : reach_->rules[call.key]) {
+      TablePlan& plan = call.plans.emplace_back();
+      plan.rule = rule;
+      call.fits = PlanRule(call, plan) && call.fits;
+    }
+  }
+  return call.fits ? &call.plans : nullptr;
+}
+
+bool TableProgram::PlanRule(const TableCall& call, TablePlan& plan) {
+  const CompiledLiteral& head = plan.rule->head;
+  BodyPlanner planner(*this, *plan.rule);
+  for (std::uint32_t i = 0; i < head.arity; ++i) {
+    if (((call.ground >> i) & 1U) != 0) planner.code().AddMatch(head.arguments[i], i, plan.call);
+  }
+  if (!planner.Plan(components_[call.key].number, plan.steps)) return false;
+  for (std::uint32_t i = 0; i < head.arity; ++i) {
+    if (((call.ground >> i) & 1U) != 0) continue;
+    if (!planner.code().IsBound(head.arguments[i])) return false;
+    plan.answer.push_back(planner.code().MakeOperand(head.arguments[i], i, false));
+  }
+  return true;
+}
+
+bool TableProgram::PlanQuery(const Contrapositive& query, bool given, TablePlan& plan) {
+  plan = {};
   plan.rule = &query;
-  plan.steps.clear();
   if (query.body.size() > kMostBody ||
       !std::all_of(query.body.begin(), query.body.end(), AreShallow)) {
     return false;
   }
   BodyPlanner planner(*this, query);
-  for (std::uint32_t slot = 0; given && slot < query.slots; ++slot) planner.Bind(SlotWord(slot));
+  if (given) planner.code().BindAll();
   if (!planner.Plan(0, plan.steps)) return false;
   for (std::uint32_t slot = 0; slot < query.slots; ++slot) {
-    if (!planner.IsBound(SlotWord(slot))) return false;
+    if (!planner.code().IsBound(SlotWord(slot))) return false;
   }
   return true;
 }

@@ -1,10 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of the tables that handles terms and computed literals.
-#include <algorithm>
+// The part of the tables that handles terms and numbers.
+#include <array>
 
 #include "reasoners/pttp/tables.h"
 
 namespace latchwork::pttp {
+namespace {
+
+/// A template with its slots replaced. Templates are shallow (TableProgram).
+Word Build(Word pattern, const Word* slots, Arena& arena) {
+  const Word* block = AddressOf(pattern);
+  const std::size_t arity = ArityOf(block[0]);
+  Word* copy = arena.Allocate(arity + 1);
+  copy[0] = block[0];
+  for (std::size_t i = 1; i <= arity; ++i) {
+    const Word part = block[i];
+    copy[i] = TagOf(part) == Tag::kSlot       ? slots[NumberOf(part)]
+              : TagOf(part) == Tag::kTemplate ? Build(part, slots, arena)
+                                              : part;
+  }
+  return Tagged(Tag::kCompound, copy);
+}
+
+}  // namespace
 
 bool Tables::AreSameWithin(Word a, Word b) {
   if (IsNumber(a)) return *AddressOf(a) == *AddressOf(b);
@@ -15,81 +33,49 @@ bool Tables::AreSameWithin(Word a, Word b) {
   for (std::size_t i = ArityOf(block[0]); i > 0; --i) {
     const Word x = Dereference(block[i]);
     const Word y = Dereference(other[i]);
-    if (TagOf(x) == Tag::kCompound) return builder_.Identical(a, b);
+    if (TagOf(x) == Tag::kCompound) return comparer_.Identical(a, b);
     if (!SameAtomic(x, y)) return false;
   }
   return true;
 }
 
-/// Binds slots of a pattern to parts of a ground value. Patterns are shallow (TableProgram).
-bool Tables::Match(Word pattern, Word value, Word* slots) {
-  if (TagOf(pattern) == Tag::kSlot) {
-    Word& slot = slots[NumberOf(pattern)];
-    if (slot != Reference(&slot)) return AreSame(slot, value);
-    slot = value;
-    return true;
-  }
-  if (TagOf(pattern) != Tag::kTemplate) return AreSame(pattern, value);
-  if (TagOf(value) != Tag::kCompound) return false;
-  const Word* block = AddressOf(pattern);
-  const Word* other = AddressOf(value);
-  if (block[0] != other[0]) return false;
-  for (std::size_t i = ArityOf(block[0]); i > 0; --i) {
-    if (!Match(block[i], Dereference(other[i]), slots)) return false;
-  }
-  return true;
-}
-
-bool Tables::Matches(const TableStep& step, const Word* row, const Word* goal, Word* slots) {
-  for (const std::uint32_t slot : step.binds) slots[slot] = Reference(slots + slot);
-  for (std::uint32_t i = 0; i < step.literal->arity; ++i) {
-    const bool ground = ((step.ground >> i) & 1U) != 0;
-    if (ground ? !AreSame(goal[i], row[i]) : !Match(step.literal->arguments[i], row[i], slots)) {
-      return false;
+bool Tables::Match(const Pattern& pattern, const Word* given, Word* slots) {
+  std::array<Word, Pattern::kMostParts> parts;
+  Word* end = parts.data();
+  for (const MatchStep& step : pattern.steps) {
+    const Word value = step.of_part ? parts[step.source] : given[step.source];
+    switch (step.kind) {
+      case MatchStep::Kind::kBind:
+        slots[step.slot] = value;
+        break;
+      case MatchStep::Kind::kSame:
+        if (!AreSame(slots[step.slot], value)) return false;
+        break;
+      case MatchStep::Kind::kEqual:
+        if (!AreSame(step.word, value)) return false;
+        break;
+      case MatchStep::Kind::kOpen: {
+        if (TagOf(value) != Tag::kCompound || *AddressOf(value) != step.word) return false;
+        const Word* block = AddressOf(value);
+        for (std::size_t i = 1; i <= ArityOf(step.word); ++i) *end++ = Dereference(block[i]);
+      }
     }
   }
   return true;
 }
 
-std::optional<Word> Tables::Value(const TableStep& step, std::size_t argument, const Word* slots,
-                                  Calculator& calculator, Unifier& builder) {
-  const Word built = BuildGround(step.literal->arguments[argument], slots, builder);
-  if (((step.literal->arithmetic >> argument) & 1U) == 0) return built;
-  return calculator.Normalize(built);
-}
-
-/// The arguments of a step's literal, unbound where they are not ground. Null when one has no
-/// value.
-const Word* Tables::MakeGoal(const TableStep& step, const Word* slots) {
-  const std::uint32_t arity = step.literal->arity;
-  Word* goal = stack_.Allocate(arity);
-  for (std::uint32_t i = 0; i < arity; ++i) {
-    if (((step.ground >> i) & 1U) == 0) {
-      goal[i] = Reference(&free_[i]);
-      continue;
-    }
-    const auto value = Value(step, i, slots, calculator_, builder_);
-    if (!value) return nullptr;
-    goal[i] = *value;
+bool Tables::Agrees(const TableStep& step, const Word* values, const Word* row) {
+  for (const Operand& operand : step.operands) {
+    if (!AreSame(*values++, row[operand.argument])) return false;
   }
-  return goal;
-}
-
-Word* Tables::MakeSlots(std::size_t count) {
-  Word* slots = stack_.Allocate(count);
-  for (std::size_t i = 0; i < count; ++i) slots[i] = Reference(slots + i);
-  return slots;
+  return true;
 }
 
 /// A copy that lasts.
 Word Tables::Keep(Word word) {
-  if (IsNumber(word)) {
-    Word* box = store_.Allocate(1);
-    *box = *AddressOf(word);
-    return Tagged(TagOf(word), box);
-  }
+  if (IsNumber(word)) return Box(Number::In(word), store_.arena);
   if (TagOf(word) != Tag::kCompound) return word;
-  Word* whole = store_.Allocate(ArityOf(*AddressOf(word)) + 1);
+  Word* whole = store_.arena.Allocate(ArityOf(*AddressOf(word)) + 1);
   copies_.assign(1, {AddressOf(word), whole});
   while (!copies_.empty()) {
     const Copy copy = copies_.back();
@@ -101,7 +87,7 @@ Word Tables::Keep(Word word) {
         copy.to[i] = Keep(part);
         continue;
       }
-      Word* block = store_.Allocate(ArityOf(*AddressOf(part)) + 1);
+      Word* block = store_.arena.Allocate(ArityOf(*AddressOf(part)) + 1);
       copies_.push_back({AddressOf(part), block});
       copy.to[i] = Tagged(Tag::kCompound, block);
     }
@@ -109,73 +95,115 @@ Word Tables::Keep(Word word) {
   return Tagged(Tag::kCompound, whole);
 }
 
+bool Tables::Calculate(const Operand& operand, const Word* slots, Number& number) {
+  Number* top = numbers_.data();
+  for (const Instruction& instruction : operand.calculation) {
+    switch (instruction.kind) {
+      case Instruction::Kind::kSlot: {
+        const Word value = slots[instruction.operand];
+        // A fact may hold an interpreted function.
+        if (!IsNumber(value)) return TagOf(value) == Tag::kCompound && Mix(operand, slots, number);
+        *top++ = Number::In(value);
+        break;
+      }
+      case Instruction::Kind::kNumber:
+        *top++ = instruction.number;
+        break;
+      case Instruction::Kind::kApply:
+        top -= instruction.operand;
+        if (!Calculator::Apply(instruction.function, top, instruction.operand, *top)) return false;
+        ++top;
+    }
+  }
+  number = top[-1];
+  return true;
+}
+
+/// The same step by step, for words that a calculation does not provide for.
+bool Tables::Mix(const Operand& operand, const Word* slots, Number& number) {
+  const Arena::Mark mark = stack_.arena.mark();
+  Word value = 0;
+  const bool is_number = MakeMixed(operand, slots, stack_, value) && IsNumber(value);
+  if (is_number) number = Number::In(value);
+  stack_.arena.Release(mark);
+  return is_number;
+}
+
+bool Tables::MakeMixed(const Operand& operand, const Word* slots, Maker& maker, Word& value) {
+  const bool is_template = TagOf(operand.word) == Tag::kTemplate;
+  const auto result = maker.calculator.Normalize(
+      is_template ? Build(operand.word, slots, maker.arena) : operand.word);
+  if (result) value = *result;
+  return result.has_value();
+}
+
+bool Tables::ReadNumber(const Operand& operand, const Word* slots, Number& number) {
+  switch (operand.kind) {
+    case Operand::Kind::kCalculation:
+      return Calculate(operand, slots, number);
+    case Operand::Kind::kMixed:
+      return Mix(operand, slots, number);
+    default: {
+      const Word word = operand.kind == Operand::Kind::kSlot ? slots[operand.slot] : operand.word;
+      if (!IsNumber(word)) return false;
+      number = Number::In(word);
+      return true;
+    }
+  }
+}
+
+bool Tables::MakeValue(const Operand& operand, const Word* slots, Maker& maker, Word& value) {
+  switch (operand.kind) {
+    case Operand::Kind::kWord:
+      value = operand.word;
+      return true;
+    case Operand::Kind::kSlot:
+      value = slots[operand.slot];
+      return true;
+    case Operand::Kind::kTemplate:
+      value = Build(operand.word, slots, maker.arena);
+      return true;
+    case Operand::Kind::kCalculation: {
+      Number number;
+      if (!Calculate(operand, slots, number)) return false;
+      value = Box(number, maker.arena);
+      return true;
+    }
+    case Operand::Kind::kMixed:
+      break;
+  }
+  return MakeMixed(operand, slots, maker, value);
+}
+
+/// Of a step's ground arguments. False when one has no value.
+bool Tables::MakeValues(const TableStep& step, const Word* slots, Word* values) {
+  for (const Operand& operand : step.operands) {
+    if (!MakeValue(operand, slots, stack_, *values++)) return false;
+  }
+  return true;
+}
+
 const Resting* Tables::Join(const Resting* a, const Resting* b) {
   if (a == nullptr || b == nullptr) return a == nullptr ? b : a;
-  for (; b != nullptr; b = b->previous) a = store_.Make(Resting{a, b->assumption});
+  for (; b != nullptr; b = b->previous) a = store_.arena.Make(Resting{a, b->assumption});
   return a;
 }
 
-bool Tables::Holds(const Frame& frame, const TableStep& step) {
-  const CompiledLiteral& literal = *step.literal;
-  const Word* goal = MakeGoal(step, frame.slots);
-  if (goal == nullptr) return false;
+bool Tables::Holds(const TableStep& step, const Word* slots) {
   if (step.kind == TableStep::Kind::kDiffer) {
-    return calculator_.Differ(goal[0], goal[1], shop_.unique_names);
+    const Arena::Mark mark = stack_.arena.mark();
+    std::array<Word, 2> sides{};
+    const bool differ = MakeValues(step, slots, sides.data()) &&
+                        stack_.calculator.Differ(sides[0], sides[1], shop_.unique_names);
+    stack_.arena.Release(mark);
+    return differ;
   }
-  const auto truth =
-      Calculator::Decide((*shop_.predicates)[literal.predicate].arithmetic, goal, literal.arity);
-  return truth && *truth == literal.positive;
-}
-
-bool Tables::TryUnify(const Frame& frame, std::size_t step) {
-  const TableStep& equation = frame.plan->steps[step];
-  if (!Count()) return false;
-  const std::size_t given = (equation.ground & 1U) != 0 ? 0 : 1;
-  const auto value = Value(equation, given, frame.slots, keeping_calculator_, keeper_);
-  if (!value) return true;
-  for (const std::uint32_t slot : equation.binds) frame.slots[slot] = Reference(frame.slots + slot);
-  const std::size_t other = 1 - given;
-  if (((equation.ground >> other) & 1U) != 0) {
-    const auto second = Value(equation, other, frame.slots, calculator_, builder_);
-    if (!second || !AreSame(*value, *second)) return true;
-  } else if (!Match(equation.literal->arguments[other], *value, frame.slots)) {
-    return true;
+  std::array<Number, Calculator::kMostArguments> numbers;
+  for (std::size_t i = 0; i < step.operands.size(); ++i) {
+    if (!ReadNumber(step.operands[i], slots, numbers[i])) return false;
   }
-  shop_.meter->CountInference();
-  return Continue(frame, step + 1);
-}
-
-bool Tables::TryComputed(const Frame& frame, std::size_t step) {
-  const TableStep& call = frame.plan->steps[step];
-  const CompiledLiteral& literal = *call.literal;
-  const Word* goal = MakeGoal(call, frame.slots);
-  if (goal == nullptr) return true;
-  Computed* computed = shop_.oracles->Compute(literal.predicate, {goal, literal.arity});
-  if (computed == nullptr) return Unfit(*frame.run);
-  Frame next = frame;
-  for (const std::size_t assumption : computed->assumptions) {
-    next.resting = store_.Make(Resting{next.resting, assumption});
-  }
-  if (literal.positive) return TryRows(next, step, computed->rows, {}, goal);
-  for (auto cursor = computed->rows.Find(goal); cursor.row != kNoRow; FactTable::Advance(cursor)) {
-    if (Matches(call, computed->rows.row(cursor.row), goal, frame.slots)) return true;
-  }
-  shop_.meter->CountInference();
-  return Continue(next, step + 1);
-}
-
-bool Tables::TryClosing(const Frame& frame, std::size_t step) {
-  const TableStep& closing = frame.plan->steps[step];
-  if (!Count()) return false;
-  const Word* goal = MakeGoal(closing, frame.slots);
-  if (goal == nullptr) return true;
-  const CompiledLiteral& literal = *closing.literal;
-  const Closing closed = shop_.oracles->Close(literal.predicate, {goal, literal.arity});
-  if (closed.result == Closing::Result::kUndetermined) return Unfit(*frame.run);
-  if (closed.result == Closing::Result::kProved) return true;
-  Frame next = frame;
-  next.resting = store_.Make(Resting{frame.resting, closed.assumption});
-  return Continue(next, step + 1);
+  const auto truth = Calculator::Decide(step.comparison, numbers.data(), step.operands.size());
+  return truth && *truth == step.positive;
 }
 
 }  // namespace latchwork::pttp

@@ -2,34 +2,25 @@
 #include "reasoners/pttp/tables.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace latchwork::pttp {
 namespace {
 
-constexpr std::size_t kMostWords = std::size_t{1} << 26U;
 constexpr std::size_t kDeepestNesting = 4096;
 constexpr std::uint32_t kNoConsumer = 0xffffffffU;
-
-/// Holds or does not, and binds nothing.
-bool IsTest(const TableStep& step) {
-  return step.kind == TableStep::Kind::kArithmetic || step.kind == TableStep::Kind::kDiffer;
-}
 
 }  // namespace
 
 Tables::Tables(const Workshop& shop)
-    : shop_(shop),
-      keeper_(store_),
-      builder_(stack_),
-      keeping_calculator_(*shop.functors, store_),
-      calculator_(*shop.functors, stack_) {
+    : shop_(shop), store_(*shop.functors), stack_(*shop.functors), comparer_(stack_.arena) {
   for (Word& word : free_) word = Reference(&word);
 }
 
 void Tables::Begin() {
-  store_.Clear();
-  stack_.Clear();
+  store_.arena.Clear();
+  stack_.arena.Clear();
   calls_.Clear();
   answers_.Clear();
   tables_.clear();
@@ -47,11 +38,12 @@ std::optional<SearchEnd> Tables::Solve(TableProgram& program, const TablePlan& q
   Run run{&program, &sink};
   const std::size_t first_open = open_.size();
   const std::size_t nesting = nesting_;
-  const Arena::Mark mark = stack_.mark();
-  Word* slots = MakeSlots(query.rule->slots);
-  std::copy(given.begin(), given.end(), slots);
-  const bool whole = Continue({&run, &query, nullptr, slots, nullptr, 0}, 0);
-  stack_.Release(mark);
+  const Arena::Mark mark = stack_.arena.mark();
+  Word* slots = stack_.arena.Allocate(query.rule->slots);
+  for (std::size_t i = 0; i < given.size(); ++i) slots[i] = Keep(Dereference(given[i]));
+  const Body body{&run, &query, nullptr, slots};
+  const bool whole = Continue({&body, 0, nullptr, 0});
+  stack_.arena.Release(mark);
   nesting_ = nesting;
   CloseTables(first_open, State::kBroken);
   if (run.enough) return SearchEnd::kAccepted;
@@ -65,213 +57,221 @@ bool Tables::Unfit(Run& run) {
   return false;
 }
 
-bool Tables::Count() {
-  shop_.meter->CountWork();
-  return !shop_.meter->stopped();
+bool Tables::Continue(Place at) {
+  const std::vector<TableStep>& steps = at.body->plan->steps;
+  for (; at.step < steps.size(); ++at.step) {
+    const TableStep& step = steps[at.step];
+    Outcome outcome = Outcome::kHolds;
+    switch (step.kind) {
+      case TableStep::Kind::kArithmetic:
+      case TableStep::Kind::kDiffer:
+        if (!Count()) return false;
+        if (!Holds(step, at.body->slots)) return true;
+        break;
+      case TableStep::Kind::kUnify:
+        outcome = Unify(*at.body, step);
+        break;
+      case TableStep::Kind::kClosing:
+        outcome = Close(at, step);
+        break;
+      default:
+        return Enumerate(at, step);
+    }
+    if (outcome != Outcome::kHolds) return outcome == Outcome::kFails;
+  }
+  return Deliver(at);
 }
 
-bool Tables::Continue(const Frame& frame, std::size_t step) {
-  const std::vector<TableStep>& steps = frame.plan->steps;
-  for (; step < steps.size() && IsTest(steps[step]); ++step) {
-    const Arena::Mark mark = stack_.mark();
-    if (!Count()) return false;
-    const bool holds = Holds(frame, steps[step]);
-    stack_.Release(mark);
-    if (!holds) return true;
-  }
-  if (step == steps.size()) return Deliver(frame);
-  if (nesting_ == kDeepestNesting) return Unfit(*frame.run);
+/// Follows every way to solve a step.
+bool Tables::Enumerate(const Place& at, const TableStep& step) {
+  if (nesting_ == kDeepestNesting) return Unfit(*at.body->run);
+  std::array<Word, 32> values;
   ++nesting_;
-  const Arena::Mark mark = stack_.mark();
+  const Arena::Mark mark = stack_.arena.mark();
   bool go_on = true;
-  switch (steps[step].kind) {
-    case TableStep::Kind::kFacts:
-      go_on = TryFacts(frame, step);
-      break;
-    case TableStep::Kind::kCall:
-      go_on = TryCall(frame, step);
-      break;
-    case TableStep::Kind::kUnify:
-      go_on = TryUnify(frame, step);
-      break;
-    case TableStep::Kind::kAttachment:
-      go_on = TryComputed(frame, step);
-      break;
-    case TableStep::Kind::kClosing:
-      go_on = TryClosing(frame, step);
-      break;
-    case TableStep::Kind::kArithmetic:
-    case TableStep::Kind::kDiffer:
-      break;  // done above
+  if (MakeValues(step, at.body->slots, values.data())) {
+    switch (step.kind) {
+      case TableStep::Kind::kCall:
+        go_on = TryCall(at, step, values.data());
+        break;
+      case TableStep::Kind::kAttachment:
+        go_on = TryComputed(at, step, values.data());
+        break;
+      default:
+        go_on = TryFacts(at, step, values.data());
+    }
   }
-  stack_.Release(mark);
+  stack_.arena.Release(mark);
   --nesting_;
   return go_on;
 }
 
-bool Tables::TryRow(const Frame& frame, std::size_t step, const Word* row, const Origin& origin,
-                    const Word* goal) {
-  if (!Count()) return false;
-  if (!Matches(frame.plan->steps[step], row, goal, frame.slots)) return true;
-  shop_.meter->CountInference();
-  if (origin.resting == nullptr && origin.depth <= frame.depth) return Continue(frame, step + 1);
-  Frame next = frame;
-  next.resting = Join(frame.resting, origin.resting);
-  next.depth = std::max(frame.depth, origin.depth);
-  return Continue(next, step + 1);
-}
-
-bool Tables::TryRows(const Frame& frame, std::size_t step, FactTable& rows,
-                     std::span<const Origin> origins, const Word* goal) {
-  FactTable::Cursor cursor = rows.Find(goal);
-  while (cursor.row != kNoRow) {
-    const std::uint32_t row = cursor.row;
-    FactTable::Advance(cursor);
-    const Origin origin = origins.empty() ? Origin{nullptr, 0} : origins[row];
-    if (!TryRow(frame, step, rows.row(row), origin, goal)) return false;
+bool Tables::TryRows(const Place& at, const TableStep& step, FactTable& rows,
+                     const Origin* origins, const Word* values) {
+  const bool binds = !step.pattern.steps.empty();
+  Place next{at.body, at.step + 1, at.resting, at.depth};
+  auto cursor = step.operands.empty() ? rows.All()
+                                      : rows.FindBy(step.operands.front().argument, values[0]);
+  for (; cursor.row != kNoRow; FactTable::Advance(cursor)) {
+    if (!Count()) return false;
+    const Word* row = rows.row(cursor.row);
+    if (!Agrees(step, values, row) || !Match(step.pattern, row, at.body->slots)) continue;
+    shop_.meter->CountInference();
+    if (origins != nullptr) {
+      const Origin& origin = origins[cursor.row];
+      next.resting = Join(at.resting, origin.resting);
+      next.depth = std::max(at.depth, origin.depth);
+    }
+    if (!Continue(next)) return false;
+    if (!binds) return true;  // other rows that agree are the same
   }
   return true;
 }
 
-bool Tables::TryFacts(const Frame& frame, std::size_t step) {
-  const TableStep& facts = frame.plan->steps[step];
-  if (!facts.literal->positive) return true;
-  const Word* goal = MakeGoal(facts, frame.slots);
-  if (goal == nullptr) return true;
-  for (const FactStore::Entry& entry : shop_.facts->Tables(facts.literal->predicate)) {
+bool Tables::TryFacts(const Place& at, const TableStep& step, const Word* values) {
+  if (!step.positive) return true;
+  for (const FactStore::Entry& entry : shop_.facts->Tables(step.predicate)) {
     if (!entry.source->enabled) continue;
-    if (!TryRows(frame, step, *entry.table, {}, goal)) return false;
+    if (!TryRows(at, step, *entry.table, nullptr, values)) return false;
   }
   return true;
 }
 
-bool Tables::TryCall(const Frame& frame, std::size_t step) {
-  const TableStep& call = frame.plan->steps[step];
-  const Word* goal = MakeGoal(call, frame.slots);
-  if (goal == nullptr) return true;
+bool Tables::TryCall(const Place& at, const TableStep& step, const Word* values) {
+  Run& run = *at.body->run;
   bool added = false;
-  Table* table = FindTable(*frame.run, call, goal, added);
-  if (table == nullptr) return Unfit(*frame.run);
-  if (call.recursive && table->state == State::kOpen) {
+  Table* table = FindTable(step, values, added);
+  if (step.recursive && table->state == State::kOpen) {
     if (added) agenda_.push_back({table, kNoConsumer});
-    Subscribe(frame, step, *table);
+    Subscribe(at, *table);
     return true;
   }
   if (added) {
-    const bool recursive = frame.run->program->IsRecursive(call.key);
     const std::size_t first = open_.size() - 1;
-    const bool whole =
-        recursive ? EvaluateComponent(*frame.run, *table) : Evaluate(*frame.run, *table);
+    const bool whole = step.call->recursive ? EvaluateComponent(run, *table) : Evaluate(run, *table);
     if (!whole) return false;
     CloseTables(first, State::kComplete);
   }
-  if (table->state != State::kComplete) return Unfit(*frame.run);
-  return TryRows(frame, step, table->rows, table->origins, goal);
+  if (table->state != State::kComplete) return Unfit(run);
+  return TryRows(at, step, table->rows, table->origins.data(), values);
 }
 
-Tables::Table* Tables::FindTable(Run& run, const TableStep& step, const Word* goal, bool& added) {
-  const bool closing = run.program->reach().closing;
-  const std::size_t label = 2 * std::size_t{step.key} + (closing ? 1 : 0);
-  if (label < general_.size() && general_[label] != nullptr &&
-      general_[label]->state == State::kComplete) {
-    return general_[label];
+bool Tables::TryComputed(const Place& at, const TableStep& step, const Word* values) {
+  std::array<Word, 32> goal = free_;
+  for (const Operand& operand : step.operands) goal[operand.argument] = *values++;
+  values -= step.operands.size();
+  Computed* computed = shop_.oracles->Compute(step.predicate, {goal.data(), step.arity});
+  if (computed == nullptr) return Unfit(*at.body->run);
+  Place next = at;
+  for (const std::size_t assumption : computed->assumptions) {
+    next.resting = store_.arena.Make(Resting{next.resting, assumption});
   }
-  std::uint64_t hash = label;
-  for (std::uint32_t i = 0; i < step.literal->arity; ++i) {
-    hash = MixHash(hash, ShallowHash(goal[i]));
+  if (step.positive) return TryRows(next, step, computed->rows, nullptr, values);
+  for (std::uint32_t row = 0; row < computed->rows.rows(); ++row) {
+    if (Agrees(step, values, computed->rows.row(row))) return true;
   }
-  const auto fresh = static_cast<std::uint32_t>(tables_.size());
-  const std::uint32_t number = calls_.Enter(
-      hash, fresh, [&](std::uint32_t known) { return IsCall(*tables_[known], step, label, goal); });
-  added = number == fresh;
-  return added ? MakeTable(step, label, goal) : tables_[number];
+  shop_.meter->CountInference();
+  ++next.step;
+  return Continue(next);
 }
 
-bool Tables::IsCall(const Table& table, const TableStep& step, std::size_t label,
-                    const Word* goal) {
-  if (table.label != label || table.ground != step.ground) return false;
-  for (std::uint32_t i = 0; i < step.literal->arity; ++i) {
-    if (((step.ground >> i) & 1U) != 0 && !AreSame(table.arguments[i], goal[i])) return false;
+Tables::Outcome Tables::Close(Place& at, const TableStep& step) {
+  if (!Count()) return Outcome::kEnds;
+  std::array<Word, 32> values;
+  const Arena::Mark mark = stack_.arena.mark();
+  const bool made = MakeValues(step, at.body->slots, values.data());
+  const Closing closing =
+      made ? shop_.oracles->Close(step.predicate, {values.data(), step.arity}) : Closing{};
+  stack_.arena.Release(mark);
+  if (!made || closing.result == Closing::Result::kProved) return Outcome::kFails;
+  if (closing.result == Closing::Result::kUndetermined) {
+    at.body->run->unfit = true;
+    return Outcome::kEnds;
   }
-  return true;
+  at.resting = store_.arena.Make(Resting{at.resting, closing.assumption});
+  return Outcome::kHolds;
 }
 
-Tables::Table* Tables::MakeTable(const TableStep& step, std::size_t label, const Word* goal) {
-  const std::uint32_t arity = step.literal->arity;
-  if (arity >= pools_.size()) {
-    pools_.resize(arity + 1);
-    used_.resize(arity + 1, 0);
+Tables::Outcome Tables::Unify(const Body& body, const TableStep& step) {
+  if (!Count()) return Outcome::kEnds;
+  const Arena::Mark mark = store_.arena.mark();
+  Word value = 0;
+  Word other = 0;
+  bool same = MakeValue(step.operands[0], body.slots, store_, value);
+  if (same && step.operands.size() == 2) {
+    same = MakeValue(step.operands[1], body.slots, store_, other) && AreSame(value, other);
+  } else if (same) {
+    same = Match(step.pattern, &value, body.slots);
   }
-  auto& pool = pools_[arity];
-  if (used_[arity] == pool.size()) pool.push_back(std::make_unique<Table>(arity));
-  Table* table = pool[used_[arity]++].get();
-  table->rows.Clear();
-  table->origins.clear();
-  table->consumers.clear();
-  table->ground = step.ground;
-  table->key = step.key;
-  table->label = label;
-  table->number = static_cast<std::uint32_t>(tables_.size());
-  table->state = State::kOpen;
-  Word* arguments = store_.Allocate(arity);
-  for (std::uint32_t i = 0; i < arity; ++i) {
-    arguments[i] = ((step.ground >> i) & 1U) != 0 ? Keep(goal[i]) : goal[i];
+  if (!same) {
+    store_.arena.Release(mark);
+    return Outcome::kFails;
   }
-  table->arguments = arguments;
-  tables_.push_back(table);
-  open_.push_back(table);
-  if (table->ground == 0) {
-    if (label >= general_.size()) general_.resize(label + 1, nullptr);
-    general_[label] = table;
-  }
-  return table;
+  shop_.meter->CountInference();
+  return Outcome::kHolds;
 }
 
-void Tables::CloseTables(std::size_t first, State state) {
-  for (std::size_t i = first; i < open_.size(); ++i) open_[i]->state = state;
-  open_.resize(std::min(first, open_.size()));
+bool Tables::Deliver(const Place& at) {
+  const Body& body = *at.body;
+  if (body.target == nullptr) {
+    const Proof proof{body.plan->rule, body.slots, at.resting, nullptr, at.depth};
+    body.run->enough = body.run->sink->Accept(proof);
+    return !body.run->enough;
+  }
+  Table& table = *body.target;
+  std::array<Word, 32> row;
+  std::copy_n(table.arguments, table.rows.arity(), row.data());
+  const Arena::Mark mark = store_.arena.mark();
+  for (const Operand& operand : body.plan->answer) {
+    MakeValue(operand, body.slots, store_, row[operand.argument]);
+  }
+  if (!Enter(table, row.data(), {at.resting, at.depth + 1})) store_.arena.Release(mark);
+  return !table.IsFull();
 }
 
 bool Tables::Evaluate(Run& run, Table& table) {
-  const auto* plans = run.program->PlansFor(table.key, table.ground);
+  const auto* plans = run.program->PlansFor(*table.call);
   if (plans == nullptr) return Unfit(run);
-  if (!EvaluateFacts(table)) return false;
+  EvaluateFacts(table);
   for (const TablePlan& plan : *plans) {
     if (!Count()) return false;
-    const Contrapositive& rule = *plan.rule;
-    const Arena::Mark mark = stack_.mark();
-    Word* slots = MakeSlots(rule.slots);
-    bool fits = true;
-    for (std::uint32_t i = 0; fits && i < rule.head.arity; ++i) {
-      fits = ((table.ground >> i) & 1U) == 0 ||
-             Match(rule.head.arguments[i], table.arguments[i], slots);
-    }
-    if (fits) shop_.meter->CountInference();
-    const bool go_on = !fits || Continue({&run, &plan, &table, slots, nullptr, 0}, 0);
-    stack_.Release(mark);
-    if (!go_on) return false;
+    if (table.IsFull()) break;
+    const Arena::Mark mark = stack_.arena.mark();
+    const bool go_on =
+        EvaluateRule({&run, &plan, &table, stack_.arena.Allocate(plan.rule->slots)});
+    stack_.arena.Release(mark);
+    if (!go_on && (!table.IsFull() || HasEnded(run))) return false;
   }
   return true;
 }
 
-bool Tables::EvaluateFacts(Table& table) {
-  if ((table.key & 1U) == 0) return true;
-  for (const FactStore::Entry& entry : shop_.facts->Tables(table.key / 2)) {
+bool Tables::EvaluateRule(const Body& body) {
+  if (!Match(body.plan->call, body.target->arguments, body.slots)) return true;
+  shop_.meter->CountInference();
+  return Continue({&body, 0, nullptr, 0});
+}
+
+void Tables::EvaluateFacts(Table& table) {
+  const TableCall& call = *table.call;
+  if ((call.key & 1U) == 0) return;
+  const auto column = static_cast<std::size_t>(std::countr_zero(call.ground));
+  for (const FactStore::Entry& entry : shop_.facts->Tables(call.key / 2)) {
     if (!entry.source->enabled) continue;
-    for (auto cursor = entry.table->Find(table.arguments); cursor.row != kNoRow;
-         FactTable::Advance(cursor)) {
+    auto cursor = call.ground == 0 ? entry.table->All()
+                                   : entry.table->FindBy(column, table.arguments[column]);
+    for (; cursor.row != kNoRow && Count(); FactTable::Advance(cursor)) {
       const Word* row = entry.table->row(cursor.row);
-      if (!Count()) return false;
       bool same = true;
-      for (std::uint32_t i = 0; same && ((table.ground >> i) != 0); ++i) {
-        same = ((table.ground >> i) & 1U) == 0 || AreSame(table.arguments[i], row[i]);
+      for (std::uint64_t bits = call.ground; same && bits != 0; bits &= bits - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+        same = AreSame(table.arguments[i], row[i]);
       }
       if (!same) continue;
       shop_.meter->CountInference();
       Enter(table, row, {nullptr, 0});
+      if (table.IsFull()) return;
     }
   }
-  return true;
 }
 
 bool Tables::EvaluateComponent(Run& run, Table& table) {
@@ -289,74 +289,33 @@ bool Tables::EvaluateComponent(Run& run, Table& table) {
   return true;
 }
 
-void Tables::Subscribe(const Frame& frame, std::size_t step, Table& table) {
-  const std::size_t count = frame.plan->rule->slots;
-  Frame kept = frame;
-  kept.slots = store_.Allocate(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool unbound = frame.slots[i] == Reference(frame.slots + i);
-    kept.slots[i] = unbound ? Reference(kept.slots + i) : frame.slots[i];
-  }
+void Tables::Subscribe(const Place& at, Table& table) {
+  const std::size_t count = at.body->plan->rule->slots;
+  Body body = *at.body;
+  body.slots = store_.arena.Allocate(count);
+  std::copy_n(at.body->slots, count, body.slots);
   const auto number = static_cast<std::uint32_t>(consumers_.size());
-  consumers_.push_back({kept, step, &table, 0, true});
+  consumers_.push_back({body, at, &table, 0, true});
   table.consumers.push_back(number);
   agenda_.push_back({nullptr, number});
 }
 
 bool Tables::Resume(std::uint32_t number) {
   consumers_[number].queued = false;
-  const Frame frame = consumers_[number].frame;
-  const std::size_t step = consumers_[number].step;
+  const Body body = consumers_[number].body;
+  const Place at = consumers_[number].place;
   const Table& source = *consumers_[number].source;
-  while (consumers_[number].next < source.rows.rows()) {
+  const TableStep& step = body.plan->steps[at.step];
+  while (consumers_[number].next < source.rows.rows() && !body.target->IsFull()) {
     const std::uint32_t row = consumers_[number].next++;
-    const Arena::Mark mark = stack_.mark();
-    const Word* goal = MakeGoal(frame.plan->steps[step], frame.slots);
-    const bool go_on =
-        goal == nullptr || TryRow(frame, step, source.rows.row(row), source.origins[row], goal);
-    stack_.Release(mark);
-    if (!go_on) return false;
-  }
-  return true;
-}
-
-bool Tables::Deliver(const Frame& frame) {
-  if (frame.target == nullptr) {
-    const Proof proof{frame.plan->rule, frame.slots, frame.resting, nullptr, frame.depth};
-    frame.run->enough = frame.run->sink->Accept(proof);
-    return !frame.run->enough;
-  }
-  const CompiledLiteral& head = frame.plan->rule->head;
-  const Arena::Mark mark = store_.mark();
-  Word* row = stack_.Allocate(head.arity);
-  for (std::uint32_t i = 0; i < head.arity; ++i) {
-    row[i] = BuildGround(head.arguments[i], frame.slots, keeper_);
-  }
-  if (!Enter(*frame.target, row, {frame.resting, frame.depth + 1})) store_.Release(mark);
-  return true;
-}
-
-bool Tables::Enter(Table& table, const Word* row, const Origin& origin) {
-  const std::size_t arity = table.rows.arity();
-  std::uint64_t hash = table.number;
-  for (std::size_t i = 0; i < arity; ++i) hash = MixHash(hash, ShallowHash(row[i]));
-  const auto fresh = static_cast<std::uint32_t>(all_answers_.size());
-  const std::uint32_t number = answers_.Enter(hash, fresh, [&](std::uint32_t known) {
-    const Answer& answer = all_answers_[known];
-    if (answer.table != &table) return false;
-    const Word* other = table.rows.row(answer.row);
-    return std::equal(row, row + arity, other, [&](Word a, Word b) { return AreSame(a, b); });
-  });
-  if (number != fresh) return false;
-  all_answers_.push_back({&table, table.rows.rows()});
-  if (store_.reserved_words() + 8 * all_answers_.size() > kMostWords) {
-    shop_.meter->Stop(sdk::Limit::kInferences);
-  }
-  std::copy_n(row, arity, table.rows.AddRow());
-  table.origins.push_back(origin);
-  for (const std::uint32_t consumer : table.consumers) {
-    if (std::exchange(consumers_[consumer].queued, true)) continue;
-    agenda_.push_back({nullptr, consumer});
+    if (!Count()) return false;
+    // The answers of a call agree with it.
+    if (!Match(step.pattern, source.rows.row(row), body.slots)) continue;
+    shop_.meter->CountInference();
+    const Origin origin = source.origins[row];
+    const bool go_on = Continue({&body, at.step + 1, Join(at.resting, origin.resting),
+                                 std::max(at.depth, origin.depth)});
+    if (!go_on && (!body.target->IsFull() || HasEnded(*body.run))) return false;
   }
   return true;
 }

@@ -17,6 +17,7 @@
 #include "reasoners/pttp/meter.h"
 #include "reasoners/pttp/oracles.h"
 #include "reasoners/pttp/row_set.h"
+#include "reasoners/pttp/table_code.h"
 #include "reasoners/pttp/table_plan.h"
 #include "reasoners/pttp/unifier.h"
 
@@ -57,12 +58,13 @@ class Tables {
     FactTable rows;
     std::vector<Origin> origins;  ///< By row.
     std::vector<std::uint32_t> consumers;
-    const Word* arguments = nullptr;  ///< Ground, or a free word.
-    std::uint64_t ground = 0;
-    std::uint32_t key = 0;
+    TableCall* call = nullptr;
+    const Word* arguments = nullptr;  ///< Those that are ground; others mean nothing.
     std::uint32_t number = 0;
-    std::size_t label = 0;  ///< `key` and closing.
     State state = State::kOpen;
+
+    /// There can be no other answers.
+    bool IsFull() const { return call->whole && rows.rows() > 0; }
   };
   /// One Solve.
   struct Run {
@@ -72,17 +74,22 @@ class Tables {
     bool unfit = false;
   };
   /// A body that is being solved.
-  struct Frame {
+  struct Body {
     Run* run;
     const TablePlan* plan;
     Table* target;  ///< Null for the query.
     Word* slots;
+  };
+  /// How far it is solved.
+  struct Place {
+    const Body* body;
+    std::size_t step;  ///< The next one.
     const Resting* resting;
     std::uint32_t depth;
   };
   struct Consumer {
-    Frame frame;
-    std::size_t step;
+    Body body;
+    Place place;
     const Table* source;
     std::uint32_t next;
     bool queued;
@@ -92,58 +99,71 @@ class Tables {
     Table* table;
     std::uint32_t consumer;
   };
+  enum class Outcome : std::uint8_t { kHolds, kFails, kEnds };
+  /// Where values are made.
+  struct Maker {
+    explicit Maker(const Functors& functors) : calculator(functors, arena) {}
+    Arena arena;
+    Calculator calculator;
+  };
 
-  // All return false when the run is to end.
-  bool Continue(const Frame& frame, std::size_t step);
-  bool TryFacts(const Frame& frame, std::size_t step);
-  bool TryCall(const Frame& frame, std::size_t step);
-  bool TryComputed(const Frame& frame, std::size_t step);
-  bool TryClosing(const Frame& frame, std::size_t step);
-  bool TryUnify(const Frame& frame, std::size_t step);
-  bool Holds(const Frame& frame, const TableStep& step);
-  bool TryRows(const Frame& frame, std::size_t step, FactTable& rows,
-               std::span<const Origin> origins, const Word* goal);
-  bool TryRow(const Frame& frame, std::size_t step, const Word* row, const Origin& origin,
-              const Word* goal);
-  bool Deliver(const Frame& frame);
-  /// False when it is known already.
-  bool Enter(Table& table, const Word* row, const Origin& origin);
+  // What returns a bool returns false when the body is to be left: its run is to end, or its target
+  // is full.
+  bool Continue(Place at);
+  bool Enumerate(const Place& at, const TableStep& step);
+  bool TryFacts(const Place& at, const TableStep& step, const Word* values);
+  bool TryCall(const Place& at, const TableStep& step, const Word* values);
+  bool TryComputed(const Place& at, const TableStep& step, const Word* values);
+  bool TryRows(const Place& at, const TableStep& step, FactTable& rows, const Origin* origins,
+               const Word* values);
+  Outcome Close(Place& at, const TableStep& step);
+  Outcome Unify(const Body& body, const TableStep& step);
+  bool Deliver(const Place& at);
   bool Evaluate(Run& run, Table& table);
-  bool EvaluateFacts(Table& table);
+  bool EvaluateRule(const Body& body);
+  void EvaluateFacts(Table& table);
   bool EvaluateComponent(Run& run, Table& table);
   bool Resume(std::uint32_t consumer);
   bool Unfit(Run& run);
+  bool HasEnded(const Run& run) const {
+    return run.enough || run.unfit || shop_.meter->stopped();
+  }
 
-  Table* FindTable(Run& run, const TableStep& step, const Word* goal, bool& added);
-  Table* MakeTable(const TableStep& step, std::size_t label, const Word* goal);
-  bool IsCall(const Table& table, const TableStep& step, std::size_t label, const Word* goal);
-  void Subscribe(const Frame& frame, std::size_t step, Table& table);
+  /// False when it is known already.
+  bool Enter(Table& table, const Word* row, const Origin& origin);
+  bool IsNew(const Table& table, const Word* row);
+  Table* FindTable(const TableStep& step, const Word* values, bool& added);
+  Table* MakeTable(const TableStep& step, const Word* values);
+  Table* TakeTable(std::size_t arity);
+  bool IsCall(const Table& table, const TableStep& step, const Word* values);
+  void Subscribe(const Place& at, Table& table);
   void CloseTables(std::size_t first, State state);
 
-  const Word* MakeGoal(const TableStep& step, const Word* slots);
-  bool Matches(const TableStep& step, const Word* row, const Word* goal, Word* slots);
-  bool Match(Word pattern, Word value, Word* slots);
+  // Terms and numbers (table_terms.cc).
+  bool Holds(const TableStep& step, const Word* slots);
+  bool Agrees(const TableStep& step, const Word* values, const Word* row);
+  bool Match(const Pattern& pattern, const Word* given, Word* slots);
   bool AreSame(Word a, Word b) { return a == b || (TagOf(a) == TagOf(b) && AreSameWithin(a, b)); }
   bool AreSameWithin(Word a, Word b);
-  Word* MakeSlots(std::size_t count);
   Word Keep(Word word);
-  std::optional<Word> Value(const TableStep& step, std::size_t argument, const Word* slots,
-                            Calculator& calculator, Unifier& builder);
-  Word BuildGround(Word pattern, const Word* slots, Unifier& builder) {
-    if (TagOf(pattern) == Tag::kSlot) return slots[NumberOf(pattern)];
-    return TagOf(pattern) == Tag::kTemplate ? builder.Build(pattern, slots) : pattern;
-  }
+  bool ReadNumber(const Operand& operand, const Word* slots, Number& number);
+  bool Calculate(const Operand& operand, const Word* slots, Number& number);
+  bool Mix(const Operand& operand, const Word* slots, Number& number);
+  bool MakeMixed(const Operand& operand, const Word* slots, Maker& maker, Word& value);
+  bool MakeValue(const Operand& operand, const Word* slots, Maker& maker, Word& value);
+  bool MakeValues(const TableStep& step, const Word* slots, Word* values);
   const Resting* Join(const Resting* a, const Resting* b);
-  bool Count();
+  bool Count() {
+    shop_.meter->CountWork();
+    return !shop_.meter->stopped();
+  }
 
   Workshop shop_;
-  Arena store_;  ///< What lasts for the decision.
-  Arena stack_;  ///< What lasts for a step.
-  Unifier keeper_;
-  Unifier builder_;
-  Calculator keeping_calculator_;
-  Calculator calculator_;
-  std::array<Word, 32> free_{};  ///< Unbound variables for arguments of calls.
+  Maker store_;  ///< What lasts for the decision.
+  Maker stack_;  ///< What lasts for a step.
+  Unifier comparer_;
+  std::array<Word, 32> free_{};  ///< Unbound variables for arguments of attachments.
+  std::array<Number, kDeepestTemplate + 2> numbers_{};  ///< Of a calculation.
 
   RowSet calls_;
   RowSet answers_;
@@ -153,7 +173,7 @@ class Tables {
     std::uint32_t row;
   };
   std::vector<Answer> all_answers_;  ///< By number.
-  std::vector<Table*> general_;  ///< By signed predicate and closing: the call that binds nothing.
+  std::vector<Table*> general_;      ///< By label: the call that binds nothing.
   std::vector<std::vector<std::unique_ptr<Table>>> pools_;  ///< By arity.
   std::vector<std::size_t> used_;                           ///< Of the pools.
   std::vector<Table*> open_;
