@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -26,6 +27,14 @@ struct Number {
   static Number Real(double value) { return {Tag::kReal, std::bit_cast<Word>(value)}; }
   double real() const { return std::bit_cast<double>(bits); }
   bool IsFiniteReal() const { return tag == Tag::kReal && std::isfinite(real()); }
+  /// Whether a double is what it is.
+  bool IsExact() const {
+    constexpr Word kBound = Word{1} << 53U;
+    return tag == Tag::kReal ? std::isfinite(real()) : bits + kBound <= 2 * kBound;
+  }
+  double value() const {
+    return tag == Tag::kReal ? real() : static_cast<double>(std::bit_cast<std::int64_t>(bits));
+  }
 };
 
 /// Puts a number into a box.

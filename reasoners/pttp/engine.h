@@ -28,6 +28,7 @@
 #include "reasoners/pttp/program.h"
 #include "reasoners/pttp/query.h"
 #include "reasoners/pttp/reach.h"
+#include "reasoners/pttp/row_set.h"
 #include "reasoners/pttp/table_plan.h"
 #include "reasoners/pttp/tables.h"
 #include "reasoners/pttp/term_cache.h"
@@ -126,7 +127,7 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
     Machine machine;
     Contrapositive start;
     SearchRequest request;
-    VariantTable answers;
+    RowSet answers;
     std::vector<logic::Term> terms;
   };
   struct KnownReach {

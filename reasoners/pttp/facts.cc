@@ -71,7 +71,7 @@ void FactTable::Clear() {
 Word* FactTable::AddRow() {
   for (Column& column : columns_) column.built = false;
   const std::size_t end = std::size_t{rows_++} * arity_;
-  if (cells_.size() < end + arity_) cells_.resize(end + arity_);
+  if (cells_.size() < end + arity_) cells_.resize(2 * (end + arity_));
   return cells_.data() + end;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "reasoners/pttp/engine.h"
+#include "reasoners/pttp/row_set.h"
 
 namespace latchwork::pttp {
 
@@ -33,18 +34,22 @@ class Engine::ProvedSink final : public ProofSink {
 /// Keeps each distinct answer of a query that an attachment asks.
 class Engine::AnswerKeeper final : public ProofSink {
  public:
-  AnswerKeeper(Engine& engine, VariantTable& known, AskedQuery& asked)
+  AnswerKeeper(Engine& engine, RowSet& known, AskedQuery& asked)
       : engine_(engine), known_(known), asked_(asked) {}
 
   bool Accept(const Proof& proof) override {
-    const auto found = known_.Enter(0, {proof.slots, asked_.variables});
-    if (!found.ground) {
-      engine_.bound_hit_ = true;
+    const std::size_t variables = asked_.variables;
+    const std::uint64_t hash = Export(proof);
+    const bool ground = engine_.variables_.empty();
+    engine_.bound_hit_ = engine_.bound_hit_ || !ground;
+    const auto fresh = static_cast<std::uint32_t>(asked_.count);
+    const auto is_same = [&](std::uint32_t number) {
+      const logic::Term* known = asked_.answers.data() + number * variables;
+      return std::equal(known, known + variables, asked_.answers.data() + fresh * variables);
+    };
+    if (!ground || known_.Enter(hash, fresh, is_same) != fresh) {
+      asked_.answers.resize(fresh * variables);
       return false;
-    }
-    if (!found.added) return false;
-    for (std::size_t i = 0; i < asked_.variables; ++i) {
-      asked_.answers.push_back(engine_.Value(proof.slots[i], engine_.variables_));
     }
     ++asked_.count;
     for (const Resting* resting = proof.resting; resting != nullptr; resting = resting->previous) {
@@ -54,8 +59,20 @@ class Engine::AnswerKeeper final : public ProofSink {
   }
 
  private:
+  /// Adds the values behind the answers; their hash.
+  std::uint64_t Export(const Proof& proof) {
+    std::uint64_t hash = 0;
+    engine_.variables_.clear();
+    for (std::size_t i = 0; i < asked_.variables; ++i) {
+      const Word value = Dereference(proof.slots[i]);
+      hash = MixHash(hash, ShallowHash(value));
+      asked_.answers.push_back(engine_.Value(value, engine_.variables_));
+    }
+    return hash;
+  }
+
   Engine& engine_;
-  VariantTable& known_;
+  RowSet& known_;
   AskedQuery& asked_;
 };
 

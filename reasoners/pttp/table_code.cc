@@ -63,9 +63,11 @@ void CodeMaker::AddMatch(Word word, std::uint32_t source, bool of_part, Pattern&
     const std::uint32_t slot = NumberOf(word);
     const Kind kind = bound_[slot] ? Kind::kSame : Kind::kBind;
     bound_[slot] = true;
+    pattern.binds_only = pattern.binds_only && kind == Kind::kBind && !of_part;
     pattern.steps.push_back({kind, of_part, source, slot, 0});
     return;
   }
+  pattern.binds_only = false;
   if (TagOf(word) != Tag::kTemplate) {
     pattern.steps.push_back({Kind::kEqual, of_part, source, 0, word});
     return;

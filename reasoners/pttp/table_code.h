@@ -65,6 +65,7 @@ struct Pattern {
 
   std::vector<MatchStep> steps;
   std::uint32_t parts = 0;
+  bool binds_only = true;  ///< Every step is kBind, of a value that was given.
 };
 
 /// Makes code for one clause, whose slots it knows to be bound or not.

@@ -10,7 +10,6 @@ namespace latchwork::pttp {
 namespace {
 
 constexpr std::size_t kMostBody = 64;
-constexpr std::uint32_t kMostArguments = 32;
 constexpr std::uint32_t kMostHeight = 64;
 
 std::uint32_t KeyOf(const CompiledLiteral& literal) {

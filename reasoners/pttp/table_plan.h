@@ -18,6 +18,9 @@ namespace latchwork::pttp {
 
 struct TableCall;
 
+/// How many arguments a literal in a table program has at most.
+inline constexpr std::uint32_t kMostArguments = 32;
+
 /// A body literal at the place where it is solved, as code. What is bound there is known
 /// beforehand, since every answer is ground.
 struct TableStep {

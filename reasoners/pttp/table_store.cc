@@ -13,12 +13,9 @@ constexpr std::size_t kMostWords = std::size_t{1} << 26U;
 }  // namespace
 
 Tables::Table* Tables::FindTable(const TableStep& step, const Word* values, bool& added) {
-  const std::size_t label = step.call->label;
-  if (label < general_.size() && general_[label] != nullptr &&
-      general_[label]->state == State::kComplete) {
-    return general_[label];
-  }
-  std::uint64_t hash = MixHash(label, step.call->ground);
+  added = false;
+  if (Table* general = GeneralTable(step); general != nullptr) return general;
+  std::uint64_t hash = MixHash(step.call->label, step.call->ground);
   for (std::size_t i = 0; i < step.operands.size(); ++i) {
     hash = MixHash(hash, ShallowHash(values[i]));
   }
@@ -75,7 +72,7 @@ void Tables::CloseTables(std::size_t first, State state) {
   open_.resize(std::min(first, open_.size()));
 }
 
-bool Tables::Enter(Table& table, const Word* row, const Origin& origin) {
+bool Tables::AddAnswer(Table& table, const Word* row, const Origin& origin) {
   if (table.call->whole ? table.IsFull() : !IsNew(table, row)) return false;
   if (store_.arena.reserved_words() + 8 * all_answers_.size() > kMostWords) {
     shop_.meter->Stop(sdk::Limit::kInferences);

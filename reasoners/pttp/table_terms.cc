@@ -39,7 +39,7 @@ bool Tables::AreSameWithin(Word a, Word b) {
   return true;
 }
 
-bool Tables::Match(const Pattern& pattern, const Word* given, Word* slots) {
+bool Tables::MatchParts(const Pattern& pattern, const Word* given, Word* slots) {
   std::array<Word, Pattern::kMostParts> parts;
   Word* end = parts.data();
   for (const MatchStep& step : pattern.steps) {
@@ -60,13 +60,6 @@ bool Tables::Match(const Pattern& pattern, const Word* given, Word* slots) {
         for (std::size_t i = 1; i <= ArityOf(step.word); ++i) *end++ = Dereference(block[i]);
       }
     }
-  }
-  return true;
-}
-
-bool Tables::Agrees(const TableStep& step, const Word* values, const Word* row) {
-  for (const Operand& operand : step.operands) {
-    if (!AreSame(*values++, row[operand.argument])) return false;
   }
   return true;
 }
@@ -137,22 +130,7 @@ bool Tables::MakeMixed(const Operand& operand, const Word* slots, Maker& maker, 
   return result.has_value();
 }
 
-bool Tables::ReadNumber(const Operand& operand, const Word* slots, Number& number) {
-  switch (operand.kind) {
-    case Operand::Kind::kCalculation:
-      return Calculate(operand, slots, number);
-    case Operand::Kind::kMixed:
-      return Mix(operand, slots, number);
-    default: {
-      const Word word = operand.kind == Operand::Kind::kSlot ? slots[operand.slot] : operand.word;
-      if (!IsNumber(word)) return false;
-      number = Number::In(word);
-      return true;
-    }
-  }
-}
-
-bool Tables::MakeValue(const Operand& operand, const Word* slots, Maker& maker, Word& value) {
+bool Tables::MakeWord(const Operand& operand, const Word* slots, Maker& maker, Word& value) {
   switch (operand.kind) {
     case Operand::Kind::kWord:
       value = operand.word;
@@ -175,34 +153,28 @@ bool Tables::MakeValue(const Operand& operand, const Word* slots, Maker& maker, 
   return MakeMixed(operand, slots, maker, value);
 }
 
-/// Of a step's ground arguments. False when one has no value.
-bool Tables::MakeValues(const TableStep& step, const Word* slots, Word* values) {
-  for (const Operand& operand : step.operands) {
-    if (!MakeValue(operand, slots, stack_, *values++)) return false;
-  }
-  return true;
-}
-
 const Resting* Tables::Join(const Resting* a, const Resting* b) {
   if (a == nullptr || b == nullptr) return a == nullptr ? b : a;
   for (; b != nullptr; b = b->previous) a = store_.arena.Make(Resting{a, b->assumption});
   return a;
 }
 
-bool Tables::Holds(const TableStep& step, const Word* slots) {
-  if (step.kind == TableStep::Kind::kDiffer) {
-    const Arena::Mark mark = stack_.arena.mark();
-    std::array<Word, 2> sides{};
-    const bool differ = MakeValues(step, slots, sides.data()) &&
-                        stack_.calculator.Differ(sides[0], sides[1], shop_.unique_names);
-    stack_.arena.Release(mark);
-    return differ;
-  }
+bool Tables::Differ(const TableStep& step, const Word* slots) {
+  const Arena::Mark mark = stack_.arena.mark();
+  const Word* sides = ValuesOf(step, slots);
+  const bool differ =
+      sides != nullptr && stack_.calculator.Differ(sides[0], sides[1], shop_.unique_names);
+  stack_.arena.Release(mark);
+  return differ;
+}
+
+bool Tables::Compare(const TableStep& step, const Word* slots) {
   std::array<Number, Calculator::kMostArguments> numbers;
-  for (std::size_t i = 0; i < step.operands.size(); ++i) {
-    if (!ReadNumber(step.operands[i], slots, numbers[i])) return false;
+  const Operand* operand = step.operands.data();
+  for (std::uint32_t i = 0; i < step.arity; ++i) {
+    if (!ReadNumber(operand[i], slots, numbers[i])) return false;
   }
-  const auto truth = Calculator::Decide(step.comparison, numbers.data(), step.operands.size());
+  const auto truth = Calculator::Decide(step.comparison, numbers.data(), step.arity);
   return truth && *truth == step.positive;
 }
 

@@ -2,10 +2,12 @@
 #ifndef LATCHWORK_PTTP_TABLES_H_
 #define LATCHWORK_PTTP_TABLES_H_
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <optional>
 #include <span>
 #include <vector>
@@ -78,18 +80,30 @@ class Tables {
     Run* run;
     const TablePlan* plan;
     Table* target;  ///< Null for the query.
-    Word* slots;
   };
-  /// How far it is solved.
-  struct Place {
-    const Body* body;
-    std::size_t step;  ///< The next one.
+  /// A partial solution of a body. Its slots follow it.
+  struct Binding {
     const Resting* resting;
-    std::uint32_t depth;
+    std::size_t depth;  ///< Of the deepest proof in it.
+    Word* slots() { return std::launder(reinterpret_cast<Word*>(this + 1)); }
+  };
+  /// Solutions of the same steps, in the order of the rows that gave them.
+  struct Batch {
+    static constexpr std::size_t kMost = 64;
+    Binding** bindings;
+    std::size_t count;
+  };
+  /// Where a step puts the bindings that it extends.
+  struct Output {
+    const Body* body;
+    std::size_t step;  ///< That goes on with them.
+    Batch batch;
+    Arena::Mark mark;  ///< What lies above goes when they are done with.
   };
   struct Consumer {
     Body body;
-    Place place;
+    std::size_t step;
+    Binding* binding;
     const Table* source;
     std::uint32_t next;
     bool queued;
@@ -109,49 +123,120 @@ class Tables {
 
   // What returns a bool returns false when the body is to be left: its run is to end, or its target
   // is full.
-  bool Continue(Place at);
-  bool Enumerate(const Place& at, const TableStep& step);
-  bool TryFacts(const Place& at, const TableStep& step, const Word* values);
-  bool TryCall(const Place& at, const TableStep& step, const Word* values);
-  bool TryComputed(const Place& at, const TableStep& step, const Word* values);
-  bool TryRows(const Place& at, const TableStep& step, FactTable& rows, const Origin* origins,
-               const Word* values);
-  Outcome Close(Place& at, const TableStep& step);
-  Outcome Unify(const Body& body, const TableStep& step);
-  bool Deliver(const Place& at);
+  bool Proceed(const Body& body, std::size_t step, Batch batch);
+  bool Filter(const TableStep& step, Batch& batch);
+  bool Join(const Body& body, std::size_t step, const Batch& batch);
+  bool OneByOne(const Body& body, std::size_t step, const Batch& batch);
+  bool Deliver(const Body& body, const Batch& batch);
+  bool DeliverAnswer(const Body& body, Binding& binding);
+  bool Flush(Output& output);
+  bool Extend(const TableStep& step, Binding& binding, Output& output);
+  bool ExtendByFacts(const TableStep& step, const Word* values, Binding& binding, Output& output);
+  bool ExtendByCall(const TableStep& step, const Word* values, Binding& binding, Output& output);
+  bool ExtendByComputed(const TableStep& step, const Word* values, Binding& binding,
+                        Output& output);
+  /// `last`: nothing else will extend the binding.
+  bool ExtendByRows(const TableStep& step, const Word* values, FactTable& rows,
+                    const Origin* origins, bool last, Binding& binding, Output& output);
+  bool Complete(Run& run, Table& table);
+  bool Unify(const TableStep& step, Word* slots);
+  Outcome Close(const Body& body, const TableStep& step, Binding& binding);
+  Outcome Deny(const Body& body, const TableStep& step, Binding& binding);
+  Computed* Compute(const TableStep& step, const Word* values, Binding& binding);
+  static Binding* MakeBinding(const Contrapositive& rule, Arena& arena) {
+    static_assert(sizeof(Binding) == 2 * sizeof(Word) && alignof(Binding) <= alignof(Word));
+    return new (arena.Allocate(2 + std::size_t{rule.slots})) Binding{nullptr, 0};
+  }
+  static Binding* CopyOf(const Contrapositive& rule, Binding& binding, Arena& arena) {
+    Binding* copy = MakeBinding(rule, arena);
+    *copy = binding;
+    Word* to = copy->slots();
+    const Word* from = binding.slots();
+    for (std::uint32_t i = 0; i < rule.slots; ++i) to[i] = from[i];
+    return copy;
+  }
+  void Inherit(const Origin& origin, Binding& binding) {
+    if (origin.resting != nullptr) binding.resting = Join(binding.resting, origin.resting);
+    binding.depth = std::max<std::size_t>(binding.depth, origin.depth);
+  }
   bool Evaluate(Run& run, Table& table);
   bool EvaluateRule(const Body& body);
   void EvaluateFacts(Table& table);
   bool EvaluateComponent(Run& run, Table& table);
   bool Resume(std::uint32_t consumer);
+  bool TakeAnswers(std::uint32_t number, Output& output);
   bool Unfit(Run& run);
   bool HasEnded(const Run& run) const {
     return run.enough || run.unfit || shop_.meter->stopped();
   }
 
   /// False when it is known already.
-  bool Enter(Table& table, const Word* row, const Origin& origin);
+  bool AddAnswer(Table& table, const Word* row, const Origin& origin);
   bool IsNew(const Table& table, const Word* row);
+  /// The table of the call that binds nothing; null unless it is complete.
+  Table* GeneralTable(const TableStep& step) const {
+    const std::size_t label = step.call->label;
+    if (label >= general_.size() || general_[label] == nullptr) return nullptr;
+    return general_[label]->state == State::kComplete ? general_[label] : nullptr;
+  }
   Table* FindTable(const TableStep& step, const Word* values, bool& added);
   Table* MakeTable(const TableStep& step, const Word* values);
   Table* TakeTable(std::size_t arity);
   bool IsCall(const Table& table, const TableStep& step, const Word* values);
-  void Subscribe(const Place& at, Table& table);
+  void Subscribe(const Body& body, std::size_t step, Binding& binding, Table& table);
   void CloseTables(std::size_t first, State state);
 
   // Terms and numbers (table_terms.cc).
-  bool Holds(const TableStep& step, const Word* slots);
-  bool Agrees(const TableStep& step, const Word* values, const Word* row);
-  bool Match(const Pattern& pattern, const Word* given, Word* slots);
+  bool Differ(const TableStep& step, const Word* slots);
+  bool Compare(const TableStep& step, const Word* slots);
+  bool Agrees(const TableStep& step, const Word* values, const Word* row) {
+    for (const Operand& operand : step.operands) {
+      if (!AreSame(*values++, row[operand.argument])) return false;
+    }
+    return true;
+  }
+  bool Match(const Pattern& pattern, const Word* given, Word* slots) {
+    if (!pattern.binds_only) return MatchParts(pattern, given, slots);
+    for (const MatchStep& step : pattern.steps) slots[step.slot] = given[step.source];
+    return true;
+  }
+  bool MatchParts(const Pattern& pattern, const Word* given, Word* slots);
   bool AreSame(Word a, Word b) { return a == b || (TagOf(a) == TagOf(b) && AreSameWithin(a, b)); }
   bool AreSameWithin(Word a, Word b);
   Word Keep(Word word);
-  bool ReadNumber(const Operand& operand, const Word* slots, Number& number);
+  bool ReadNumber(const Operand& operand, const Word* slots, Number& number) {
+    if (operand.kind == Operand::Kind::kCalculation) return Calculate(operand, slots, number);
+    if (operand.kind == Operand::Kind::kMixed) return Mix(operand, slots, number);
+    const Word word = operand.kind == Operand::Kind::kSlot ? slots[operand.slot] : operand.word;
+    if (!IsNumber(word)) return false;
+    number = Number::In(word);
+    return true;
+  }
   bool Calculate(const Operand& operand, const Word* slots, Number& number);
   bool Mix(const Operand& operand, const Word* slots, Number& number);
   bool MakeMixed(const Operand& operand, const Word* slots, Maker& maker, Word& value);
-  bool MakeValue(const Operand& operand, const Word* slots, Maker& maker, Word& value);
-  bool MakeValues(const TableStep& step, const Word* slots, Word* values);
+  bool MakeValue(const Operand& operand, const Word* slots, Maker& maker, Word& value) {
+    if (operand.kind != Operand::Kind::kSlot) return MakeWord(operand, slots, maker, value);
+    value = slots[operand.slot];
+    return true;
+  }
+  bool MakeWord(const Operand& operand, const Word* slots, Maker& maker, Word& value);
+  bool MakeValues(const TableStep& step, const Word* slots, Word* values) {
+    for (const Operand& operand : step.operands) {
+      if (!MakeValue(operand, slots, stack_, *values++)) return false;
+    }
+    return true;
+  }
+  /// Those of a step's ground arguments; null when one has none.
+  const Word* ValuesOf(const TableStep& step, const Word* slots) {
+    const auto& operands = step.operands;
+    if (operands.empty()) return slots;
+    if (operands.size() == 1 && operands.front().kind == Operand::Kind::kSlot) {
+      return slots + operands.front().slot;
+    }
+    Word* values = stack_.arena.Allocate(operands.size());
+    return MakeValues(step, slots, values) ? values : nullptr;
+  }
   const Resting* Join(const Resting* a, const Resting* b);
   bool Count() {
     shop_.meter->CountWork();
@@ -162,7 +247,7 @@ class Tables {
   Maker store_;  ///< What lasts for the decision.
   Maker stack_;  ///< What lasts for a step.
   Unifier comparer_;
-  std::array<Word, 32> free_{};  ///< Unbound variables for arguments of attachments.
+  std::array<Word, kMostArguments> free_{};  ///< Unbound variables for arguments of attachments.
   std::array<Number, kDeepestTemplate + 2> numbers_{};  ///< Of a calculation.
 
   RowSet calls_;
