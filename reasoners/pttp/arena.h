@@ -17,13 +17,13 @@ class Arena {
  public:
   struct Mark {
     std::size_t chunk = 0;
-    std::size_t used = 0;
+    Word* top = nullptr;  ///< Null: the beginning.
   };
 
   Word* Allocate(std::size_t words) {
-    if (chunk_ < chunks_.size() && used_ + words <= chunks_[chunk_].size()) {
-      Word* result = chunks_[chunk_].data() + used_;
-      used_ += words;
+    if (words < static_cast<std::size_t>(limit_ - top_)) {
+      Word* result = top_;
+      top_ += words;
       return result;
     }
     return AllocateInNextChunk(words);
@@ -37,10 +37,13 @@ class Arena {
     return new (memory) Object(value);
   }
 
-  Mark mark() const { return {chunk_, used_}; }
+  Mark mark() const { return {chunk_, top_}; }
   void Release(Mark mark) {
-    chunk_ = mark.chunk;
-    used_ = mark.used;
+    if (mark.chunk == chunk_ && mark.top != nullptr) {
+      top_ = mark.top;
+    } else {
+      ReleaseChunks(mark);
+    }
   }
   void Clear() { Release({}); }
   std::size_t reserved_words() const { return reserved_; }
@@ -50,10 +53,12 @@ class Arena {
   static constexpr std::size_t kLargestChunk = std::size_t{1} << 18U;
 
   Word* AllocateInNextChunk(std::size_t words);
+  void ReleaseChunks(Mark mark);
 
   std::vector<std::vector<Word>> chunks_;
   std::size_t chunk_ = 0;
-  std::size_t used_ = 0;
+  Word* top_ = nullptr;    ///< In the chunk.
+  Word* limit_ = nullptr;  ///< Its end.
   std::size_t reserved_ = 0;
 };
 

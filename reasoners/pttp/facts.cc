@@ -126,8 +126,7 @@ FactTable::Cursor FactTable::FindBy(std::size_t column, Word key) {
   if (rows_ <= kSmall) return All();
   Column& index = columns_[column];
   if (!index.built) Build(column);
-  const std::uint32_t row = index.first[ShallowHash(key) & (index.first.size() - 1)];
-  return {this, row, static_cast<std::uint32_t>(column)};
+  return {this, index.first[ShallowHash(key) & (index.first.size() - 1)], index.next.data()};
 }
 
 FactTable::Cursor FactTable::Find(const Word* goal) {

@@ -48,17 +48,17 @@ class FactTable {
   struct Cursor {
     const FactTable* table = nullptr;
     std::uint32_t row = kNoRow;
-    std::uint32_t column = kNoRow;  ///< The index that is followed; kNoRow: row by row.
+    const std::uint32_t* next = nullptr;  ///< By row; null: row by row.
   };
   Cursor Find(const Word* goal);
   /// The same for one argument, which is ground.
   Cursor FindBy(std::size_t column, Word key);
-  Cursor All() const { return {this, rows_ == 0 ? kNoRow : 0, kNoRow}; }
+  Cursor All() const { return {this, rows_ == 0 ? kNoRow : 0, nullptr}; }
   static void Advance(Cursor& cursor) {
-    if (cursor.column == kNoRow) {
-      cursor.row = cursor.row + 1 < cursor.table->rows_ ? cursor.row + 1 : kNoRow;
+    if (cursor.next != nullptr) {
+      cursor.row = cursor.next[cursor.row];
     } else {
-      cursor.row = cursor.table->columns_[cursor.column].next[cursor.row];
+      cursor.row = cursor.row + 1 < cursor.table->rows_ ? cursor.row + 1 : kNoRow;
     }
   }
 

@@ -14,17 +14,9 @@ namespace latchwork::pttp {
 /// A hash of a ground term that looks two levels deep; of an unbound variable, 0.
 inline std::uint64_t ShallowHash(Word word) {
   const auto leaf = [](Word part) {
-    switch (TagOf(part)) {
-      case Tag::kReference:
-        return std::uint64_t{0};
-      case Tag::kInteger:
-      case Tag::kReal:
-        return MixHash(part & 7U, *AddressOf(part));
-      case Tag::kCompound:
-        return MixHash(0, *AddressOf(part));
-      default:
-        return MixHash(0, part);
-    }
+    if (IsNumber(part)) return MixHash(part & 7U, *AddressOf(part));
+    if (TagOf(part) == Tag::kReference) return std::uint64_t{0};
+    return MixHash(0, TagOf(part) == Tag::kCompound ? *AddressOf(part) : part);
   };
   std::uint64_t hash = leaf(word);
   if (TagOf(word) != Tag::kCompound) return hash;

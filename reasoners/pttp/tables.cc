@@ -160,11 +160,13 @@ bool Tables::ExtendByFacts(const TableStep& step, const Word* values, Binding& b
 bool Tables::ExtendByRows(const TableStep& step, const Word* values, FactTable& rows,
                           const Origin* origins, bool last, Binding& binding, Output& output) {
   const Contrapositive& rule = *output.body->plan->rule;
+  Meter& meter = *shop_.meter;
   const bool binds = !step.pattern.steps.empty();
   auto cursor =
       step.operands.empty() ? rows.All() : rows.FindBy(step.operands.front().argument, values[0]);
   while (cursor.row != kNoRow) {
-    if (!Count()) return false;
+    meter.CountWork();
+    if (meter.stopped()) return false;
     const std::uint32_t number = cursor.row;
     const Word* row = rows.row(number);
     FactTable::Advance(cursor);
@@ -176,7 +178,7 @@ bool Tables::ExtendByRows(const TableStep& step, const Word* values, FactTable& 
       stack_.arena.Release(mark);
       continue;
     }
-    shop_.meter->CountInference();
+    meter.CountInference();
     if (origins != nullptr) Inherit(origins[number], *extended);
     output.batch.bindings[output.batch.count++] = extended;
     if (output.batch.count == Batch::kMost && !Flush(output)) return false;
