@@ -14,7 +14,81 @@ bool BodyPlanner::Plan(std::uint32_t component, std::vector<TableStep>& steps) {
     steps.push_back(MakeStep(rule_.body[*chosen], component));
     left_.erase(chosen);
   }
+  NoteDistinctRows(steps);
   return !code_.failed();
+}
+
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffffU;
+
+bool IsTaken(const TableStep& step) {
+  return step.positive &&
+         (step.kind == TableStep::Kind::kFacts || step.kind == TableStep::Kind::kCall);
+}
+
+/// At which argument a step gives a slot its value.
+std::uint32_t PlaceOf(const TableStep& step, std::uint32_t slot) {
+  for (const MatchStep& match : step.pattern.steps) {
+    if (match.kind != MatchStep::Kind::kBind || match.of_part || match.slot != slot) continue;
+    return match.source;
+  }
+  return kNone;
+}
+
+/// Whether the row that the earlier step took agrees with an operand of a later one.
+bool Agrees(const TableStep& earlier, const Operand& operand) {
+  if (operand.kind == Operand::Kind::kSlot && PlaceOf(earlier, operand.slot) == operand.argument) {
+    return true;
+  }
+  return std::any_of(earlier.operands.begin(), earlier.operands.end(), [&](const Operand& known) {
+    return known.argument == operand.argument && known.kind == operand.kind &&
+           !known.is_fresh() && known.slot == operand.slot && known.word == operand.word;
+  });
+}
+
+/// A comparison that fails for equal values.
+bool IsStrict(const TableStep& step) {
+  using Predicate = logic::Arithmetic::Predicate;
+  if (step.kind == TableStep::Kind::kDiffer) return true;
+  if (step.kind != TableStep::Kind::kArithmetic) return false;
+  const bool strict =
+      step.comparison == Predicate::kLess || step.comparison == Predicate::kGreater;
+  const bool weak =
+      step.comparison == Predicate::kLessEq || step.comparison == Predicate::kGreaterEq;
+  return step.positive ? strict : weak;
+}
+
+/// Whether a step sets two rows apart by values at the same argument.
+bool SetsApart(const TableStep& step, const TableStep& earlier, const TableStep& later) {
+  if (!IsStrict(step) || step.operands.size() != 2) return false;
+  const Operand& a = step.operands[0];
+  const Operand& b = step.operands[1];
+  if (a.kind != Operand::Kind::kSlot || b.kind != Operand::Kind::kSlot) return false;
+  const auto meet = [&](std::uint32_t first, std::uint32_t second) {
+    return PlaceOf(earlier, first) != kNone && PlaceOf(earlier, first) == PlaceOf(later, second);
+  };
+  return meet(a.slot, b.slot) || meet(b.slot, a.slot);
+}
+
+bool WantsAnotherRow(const std::vector<TableStep>& steps, const TableStep& earlier,
+                     const TableStep& later) {
+  return IsTaken(earlier) && earlier.kind == later.kind && earlier.predicate == later.predicate &&
+         std::all_of(later.operands.begin(), later.operands.end(),
+                     [&](const Operand& operand) { return Agrees(earlier, operand); }) &&
+         std::any_of(steps.begin(), steps.end(),
+                     [&](const TableStep& step) { return SetsApart(step, earlier, later); });
+}
+
+}  // namespace
+
+void BodyPlanner::NoteDistinctRows(std::vector<TableStep>& steps) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (!IsTaken(steps[i]) || steps[i].recursive || steps[i].operands.empty()) continue;
+    for (std::size_t j = 0; j < i && !steps[i].wants_another_row; ++j) {
+      steps[i].wants_another_row = WantsAnotherRow(steps, steps[j], steps[i]);
+    }
+  }
 }
 
 bool BodyPlanner::HasRules(const CompiledLiteral& literal) const {

@@ -34,6 +34,7 @@ class BodyPlanner {
   TableStep::Kind StepKind(const CompiledLiteral& literal) const;
   TableStep MakeStep(const CompiledLiteral& literal, std::uint32_t component);
   void MakeCode(const CompiledLiteral& literal, TableStep& step);
+  static void NoteDistinctRows(std::vector<TableStep>& steps);
 
   TableProgram& program_;
   const Contrapositive& rule_;

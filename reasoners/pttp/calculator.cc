@@ -108,11 +108,8 @@ bool Calculator::Apply(logic::Arithmetic::Function function, const Number* numbe
   return true;
 }
 
-std::optional<bool> Calculator::Decide(logic::Arithmetic::Predicate predicate,
-                                       const Number* numbers, std::size_t arity) {
-  if (arity == 2 && numbers[0].IsExact() && numbers[1].IsExact()) {
-    return logic::Arithmetic::Evaluate(predicate, numbers[0].value(), numbers[1].value());
-  }
+std::optional<bool> Calculator::DecideTerms(logic::Arithmetic::Predicate predicate,
+                                            const Number* numbers, std::size_t arity) {
   const Terms terms = ToTerms(numbers, arity);
   return logic::Arithmetic::Evaluate(predicate, std::span(terms.data(), arity));
 }

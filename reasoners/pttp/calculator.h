@@ -50,7 +50,12 @@ class Calculator {
   static bool Apply(logic::Arithmetic::Function function, const Number* numbers, std::size_t arity,
                     Number& result);
   static std::optional<bool> Decide(logic::Arithmetic::Predicate predicate, const Number* numbers,
-                                    std::size_t arity);
+                                    std::size_t arity) {
+    if (arity == 2 && numbers[0].IsExact() && numbers[1].IsExact()) {
+      return logic::Arithmetic::Evaluate(predicate, numbers[0].value(), numbers[1].value());
+    }
+    return DecideTerms(predicate, numbers, arity);
+  }
 
   /// Evaluates the interpreted functions of a ground term; nothing when one has no value.
   std::optional<Word> Normalize(Word word);
@@ -62,6 +67,8 @@ class Calculator {
   bool Differ(Word a, Word b, bool unique_names);
 
  private:
+  static std::optional<bool> DecideTerms(logic::Arithmetic::Predicate predicate,
+                                         const Number* numbers, std::size_t arity);
   struct Visit {
     Word word;
     bool expanded;

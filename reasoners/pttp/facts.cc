@@ -114,12 +114,24 @@ void FactTable::Build(std::size_t index) {
   const std::size_t buckets = std::bit_ceil(std::size_t{rows_} * 2);
   column.first.assign(buckets, kNoRow);
   column.next.resize(rows_);
+  column.distinct = true;
   for (std::uint32_t i = rows_; i > 0; --i) {
-    std::uint32_t& first = column.first[ShallowHash(row(i - 1)[index]) & (buckets - 1)];
+    const std::uint64_t hash = ShallowHash(row(i - 1)[index]);
+    std::uint32_t& first = column.first[hash & (buckets - 1)];
+    for (std::uint32_t other = first; column.distinct && other != kNoRow;) {
+      column.distinct = ShallowHash(row(other)[index]) != hash;
+      other = column.next[other];
+    }
     column.next[i - 1] = first;
     first = i - 1;
   }
   column.built = true;
+}
+
+bool FactTable::TellsRowsApart(std::size_t column) {
+  if (rows_ <= kSmall) return rows_ <= 1;
+  if (!columns_[column].built) Build(column);
+  return columns_[column].distinct;
 }
 
 FactTable::Cursor FactTable::FindBy(std::size_t column, Word key) {

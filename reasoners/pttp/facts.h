@@ -53,6 +53,8 @@ class FactTable {
   Cursor Find(const Word* goal);
   /// The same for one argument, which is ground.
   Cursor FindBy(std::size_t column, Word key);
+  /// Whether no two rows have the same argument there. May say no where it is so.
+  bool TellsRowsApart(std::size_t column);
   Cursor All() const { return {this, rows_ == 0 ? kNoRow : 0, nullptr}; }
   static void Advance(Cursor& cursor) {
     if (cursor.next != nullptr) {
@@ -66,6 +68,7 @@ class FactTable {
   static constexpr std::uint32_t kSmall = 8;
   struct Column {
     bool built = false;
+    bool distinct = false;             ///< All hashes are.
     std::vector<std::uint32_t> first;  ///< By hash.
     std::vector<std::uint32_t> next;   ///< By row.
   };

@@ -36,6 +36,9 @@ struct TableStep {
   Kind kind = Kind::kFacts;
   bool recursive = false;  ///< kCall: the table may need what this step is part of.
   bool positive = true;
+  /// It fails for the row that an earlier step took, which is the only one where the first of the
+  /// operands tells rows apart: as in "no object has two distances".
+  bool wants_another_row = false;
   logic::Arithmetic::Predicate comparison{};
   PredicateId predicate = 0;
   std::uint32_t arity = 0;

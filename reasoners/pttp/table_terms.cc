@@ -170,12 +170,10 @@ bool Tables::Differ(const TableStep& step, const Word* slots) {
 
 bool Tables::Compare(const TableStep& step, const Word* slots) {
   std::array<Number, Calculator::kMostArguments> numbers;
-  const Operand* operand = step.operands.data();
   for (std::uint32_t i = 0; i < step.arity; ++i) {
-    if (!ReadNumber(operand[i], slots, numbers[i])) return false;
+    if (!ReadNumber(step.operands[i], slots, numbers[i])) return false;
   }
-  const auto truth = Calculator::Decide(step.comparison, numbers.data(), step.arity);
-  return truth && *truth == step.positive;
+  return Calculator::Decide(step.comparison, numbers.data(), step.arity) == step.positive;
 }
 
 }  // namespace latchwork::pttp

@@ -115,6 +115,7 @@ bool Tables::Unify(const TableStep& step, Word* slots) {
 
 /// Extends every binding by every row that agrees with it.
 bool Tables::Join(const Body& body, std::size_t step, const Batch& batch) {
+  if (IsBarren(body.plan->steps[step])) return true;
   if (nesting_ == kDeepestNesting) return Unfit(*body.run);
   ++nesting_;
   const Arena::Mark mark = stack_.arena.mark();
@@ -130,7 +131,24 @@ bool Tables::Join(const Body& body, std::size_t step, const Batch& batch) {
   return go_on;
 }
 
+bool Tables::IsBarren(const TableStep& step) {
+  if (!step.wants_another_row) return false;
+  const std::size_t column = step.operands.front().argument;
+  if (step.kind == TableStep::Kind::kCall) {
+    Table* general = GeneralTable(step);
+    return general != nullptr && general->rows.TellsRowsApart(column);
+  }
+  FactTable* only = nullptr;
+  for (const FactStore::Entry& entry : shop_.facts->Tables(step.predicate)) {
+    if (!entry.source->enabled || entry.table->rows() == 0) continue;
+    if (only != nullptr) return false;
+    only = entry.table;
+  }
+  return only != nullptr && only->TellsRowsApart(column);
+}
+
 bool Tables::Flush(Output& output) {
+  if (output.batch.count == 0) return true;
   const bool go_on = Proceed(*output.body, output.step, output.batch);
   output.batch.count = 0;
   stack_.arena.Release(output.mark);

@@ -129,6 +129,8 @@ class Tables {
   bool OneByOne(const Body& body, std::size_t step, const Batch& batch);
   bool Deliver(const Body& body, const Batch& batch);
   bool DeliverAnswer(const Body& body, Binding& binding);
+  /// Nothing can come of a step, since it wants a row that cannot be.
+  bool IsBarren(const TableStep& step);
   bool Flush(Output& output);
   bool Extend(const TableStep& step, Binding& binding, Output& output);
   bool ExtendByFacts(const TableStep& step, const Word* values, Binding& binding, Output& output);
