@@ -42,8 +42,8 @@ bool Agrees(const TableStep& earlier, const Operand& operand) {
     return true;
   }
   return std::any_of(earlier.operands.begin(), earlier.operands.end(), [&](const Operand& known) {
-    return known.argument == operand.argument && known.kind == operand.kind &&
-           !known.is_fresh() && known.slot == operand.slot && known.word == operand.word;
+    return known.argument == operand.argument && known.kind == operand.kind && !known.is_fresh() &&
+           known.slot == operand.slot && known.word == operand.word;
   });
 }
 
@@ -52,8 +52,7 @@ bool IsStrict(const TableStep& step) {
   using Predicate = logic::Arithmetic::Predicate;
   if (step.kind == TableStep::Kind::kDiffer) return true;
   if (step.kind != TableStep::Kind::kArithmetic) return false;
-  const bool strict =
-      step.comparison == Predicate::kLess || step.comparison == Predicate::kGreater;
+  const bool strict = step.comparison == Predicate::kLess || step.comparison == Predicate::kGreater;
   const bool weak =
       step.comparison == Predicate::kLessEq || step.comparison == Predicate::kGreaterEq;
   return step.positive ? strict : weak;

@@ -12,8 +12,9 @@ namespace latchwork::pttp {
 namespace {
 
 logic::Term ToTerm(const Number& number) {
-  return number.tag == Tag::kInteger ? logic::Term::Integer(std::bit_cast<std::int64_t>(number.bits))
-                                     : logic::Term::Real(number.real());
+  return number.tag == Tag::kInteger
+             ? logic::Term::Integer(std::bit_cast<std::int64_t>(number.bits))
+             : logic::Term::Real(number.real());
 }
 
 using Terms = std::array<logic::Term, Calculator::kMostArguments>;

@@ -139,7 +139,8 @@ Engine::KnownReach& Engine::FindReachFor(std::span<const Contrapositive* const> 
   reaches_.push_back(std::make_unique<KnownReach>(KnownReach{
       reach_key_, FindReach(*program_, predicates_, starts, closing), nullptr, nullptr}));
   KnownReach& made = *reaches_.back();
-  made.program = std::make_unique<TableProgram>(predicates_, functors_, made.reach, options_.reorder);
+  made.program =
+      std::make_unique<TableProgram>(predicates_, functors_, made.reach, options_.reorder);
   if (!options_.tables) made.program->GiveUp();
   if (options_.states && made.reach.recursive) {
     made.plan_space = std::make_unique<PlanSpace>(predicates_, made.reach);

@@ -42,9 +42,8 @@ class ReachFinder {
       closes[key] = predicates_[key / 2].minimized.has_value();
     }
     const auto leads_there = [&](const Contrapositive* rule) {
-      return std::any_of(
-          rule->body.begin(), rule->body.end(),
-          [&](const CompiledLiteral& literal) { return closes[SignedOf(literal)]; });
+      return std::any_of(rule->body.begin(), rule->body.end(),
+                         [&](const CompiledLiteral& literal) { return closes[SignedOf(literal)]; });
     };
     for (bool changed = true; changed;) {
       changed = false;

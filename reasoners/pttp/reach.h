@@ -25,8 +25,8 @@ struct Reach {
   bool closing = true;           ///< Minimized predicates are closed.
   /// By signed predicate: what proves it may depend on `closing`.
   std::vector<bool> closes;
-  PredicateSet sees;             ///< Whose facts it may use.
-  bool asks = false;             ///< Closings or attachments may see more.
+  PredicateSet sees;  ///< Whose facts it may use.
+  bool asks = false;  ///< Closings or attachments may see more.
 
   std::span<const Contrapositive* const> RulesFor(std::uint32_t signed_predicate) const {
     if (signed_predicate >= rules.size()) return {};

@@ -20,9 +20,8 @@ Tables::Table* Tables::FindTable(const TableStep& step, const Word* values, bool
     hash = MixHash(hash, ShallowHash(values[i]));
   }
   const auto fresh = static_cast<std::uint32_t>(tables_.size());
-  const std::uint32_t number = calls_.Enter(hash, fresh, [&](std::uint32_t known) {
-    return IsCall(*tables_[known], step, values);
-  });
+  const std::uint32_t number = calls_.Enter(
+      hash, fresh, [&](std::uint32_t known) { return IsCall(*tables_[known], step, values); });
   added = number == fresh;
   return added ? MakeTable(step, values) : tables_[number];
 }

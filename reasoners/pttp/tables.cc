@@ -71,9 +71,14 @@ bool Tables::Proceed(const Body& body, std::size_t step, Batch batch) {
       case TableStep::Kind::kAttachment:
         return steps[step].positive ? Join(body, step, batch) : OneByOne(body, step, batch);
       case TableStep::Kind::kFacts:
-        return !steps[step].positive || Join(body, step, batch);
-      case TableStep::Kind::kCall:
-        return Join(body, step, batch);
+        if (!steps[step].positive) return true;
+        [[fallthrough]];
+      case TableStep::Kind::kCall: {
+        const Origin* origins = nullptr;
+        FactTable* rows = FindLookup(steps[step], origins);
+        if (rows == nullptr) return Join(body, step, batch);
+        if (!Lookup(steps[step], *rows, origins, batch)) return false;
+      }
     }
   }
   return batch.count == 0 || Deliver(body, batch);
@@ -115,7 +120,6 @@ bool Tables::Unify(const TableStep& step, Word* slots) {
 
 /// Extends every binding by every row that agrees with it.
 bool Tables::Join(const Body& body, std::size_t step, const Batch& batch) {
-  if (IsBarren(body.plan->steps[step])) return true;
   if (nesting_ == kDeepestNesting) return Unfit(*body.run);
   ++nesting_;
   const Arena::Mark mark = stack_.arena.mark();
@@ -131,20 +135,61 @@ bool Tables::Join(const Body& body, std::size_t step, const Batch& batch) {
   return go_on;
 }
 
-bool Tables::IsBarren(const TableStep& step) {
-  if (!step.wants_another_row) return false;
-  const std::size_t column = step.operands.front().argument;
-  if (step.kind == TableStep::Kind::kCall) {
-    Table* general = GeneralTable(step);
-    return general != nullptr && general->rows.TellsRowsApart(column);
-  }
+/// The source's that alone has some; null when there are none or several.
+FactTable* Tables::OnlyFacts(PredicateId predicate) {
   FactTable* only = nullptr;
-  for (const FactStore::Entry& entry : shop_.facts->Tables(step.predicate)) {
+  for (const FactStore::Entry& entry : shop_.facts->Tables(predicate)) {
     if (!entry.source->enabled || entry.table->rows() == 0) continue;
-    if (only != nullptr) return false;
+    if (only != nullptr) return nullptr;
     only = entry.table;
   }
-  return only != nullptr && only->TellsRowsApart(column);
+  return only;
+}
+
+FactTable* Tables::FindLookup(const TableStep& step, const Origin*& origins) {
+  FactTable* rows = nullptr;
+  if (step.kind == TableStep::Kind::kFacts) {
+    rows = OnlyFacts(step.predicate);
+  } else if (Table* general = GeneralTable(step); general != nullptr) {
+    rows = &general->rows;
+    origins = general->origins.data();
+  }
+  if (rows == nullptr) return nullptr;
+  const bool single =
+      step.operands.empty() ? rows->rows() <= 1 : rows->TellsRowsApart(step.operands[0].argument);
+  return single ? rows : nullptr;
+}
+
+/// Extends every binding where it stands; keeps those for which there is a row.
+bool Tables::Lookup(const TableStep& step, FactTable& rows, const Origin* origins, Batch& batch) {
+  std::size_t kept = 0;
+  const std::size_t count = step.wants_another_row ? 0 : batch.count;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!Count()) return false;
+    Binding* binding = batch.bindings[i];
+    const Arena::Mark mark = stack_.arena.mark();
+    if (LookupRow(step, rows, origins, *binding)) batch.bindings[kept++] = binding;
+    stack_.arena.Release(mark);
+  }
+  batch.count = kept;
+  return true;
+}
+
+bool Tables::LookupRow(const TableStep& step, FactTable& rows, const Origin* origins,
+                       Binding& binding) {
+  const Word* values = ValuesOf(step, binding.slots());
+  if (values == nullptr) return false;
+  auto cursor =
+      step.operands.empty() ? rows.All() : rows.FindBy(step.operands[0].argument, values[0]);
+  for (; cursor.row != kNoRow; FactTable::Advance(cursor)) {
+    const Word* row = rows.row(cursor.row);
+    if (!Agrees(step, values, row)) continue;
+    if (!Match(step.pattern, row, binding.slots())) return false;
+    if (origins != nullptr) Inherit(origins[cursor.row], binding);
+    shop_.meter->CountInference();
+    return true;
+  }
+  return false;
 }
 
 bool Tables::Flush(Output& output) {

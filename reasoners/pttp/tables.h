@@ -129,8 +129,11 @@ class Tables {
   bool OneByOne(const Body& body, std::size_t step, const Batch& batch);
   bool Deliver(const Body& body, const Batch& batch);
   bool DeliverAnswer(const Body& body, Binding& binding);
-  /// Nothing can come of a step, since it wants a row that cannot be.
-  bool IsBarren(const TableStep& step);
+  /// A table where a step finds one row at most; null when there may be others.
+  FactTable* FindLookup(const TableStep& step, const Origin*& origins);
+  FactTable* OnlyFacts(PredicateId predicate);
+  bool Lookup(const TableStep& step, FactTable& rows, const Origin* origins, Batch& batch);
+  bool LookupRow(const TableStep& step, FactTable& rows, const Origin* origins, Binding& binding);
   bool Flush(Output& output);
   bool Extend(const TableStep& step, Binding& binding, Output& output);
   bool ExtendByFacts(const TableStep& step, const Word* values, Binding& binding, Output& output);
@@ -168,9 +171,7 @@ class Tables {
   bool Resume(std::uint32_t consumer);
   bool TakeAnswers(std::uint32_t number, Output& output);
   bool Unfit(Run& run);
-  bool HasEnded(const Run& run) const {
-    return run.enough || run.unfit || shop_.meter->stopped();
-  }
+  bool HasEnded(const Run& run) const { return run.enough || run.unfit || shop_.meter->stopped(); }
 
   /// False when it is known already.
   bool AddAnswer(Table& table, const Word* row, const Origin& origin);

@@ -28,9 +28,9 @@ class TermCache {
     }
     if (terms_.size() >= kMostTerms) Clear();
     const auto fresh = static_cast<std::uint32_t>(terms_.size());
-    const std::uint32_t number =
-        known_.Enter(ShallowHash(word), fresh,
-                     [&](std::uint32_t known) { return AreSame(words_[known], word); });
+    const std::uint32_t number = known_.Enter(ShallowHash(word), fresh, [&](std::uint32_t known) {
+      return AreSame(words_[known], word);
+    });
     if (number == fresh) {
       terms_.push_back(functors_->Export(word, variables));
       words_.push_back(functors_->Import(terms_.back(), kept_));
