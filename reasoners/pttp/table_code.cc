@@ -57,7 +57,7 @@ Operand CodeMaker::MakeOperand(Word word, std::uint32_t argument, bool computed)
   return operand;
 }
 
-void CodeMaker::AddMatch(Word word, std::uint32_t source, bool of_part, Pattern& pattern) {
+void CodeMaker::AddMatch(Word word, std::uint32_t source, bool of_part, MatchCode& pattern) {
   using Kind = MatchStep::Kind;
   if (TagOf(word) == Tag::kSlot) {
     const std::uint32_t slot = NumberOf(word);
@@ -75,7 +75,7 @@ void CodeMaker::AddMatch(Word word, std::uint32_t source, bool of_part, Pattern&
   const Word* block = AddressOf(word);
   const auto arity = static_cast<std::uint32_t>(ArityOf(block[0]));
   const std::uint32_t first = pattern.parts;
-  failed_ = failed_ || arity > Pattern::kMostParts - first;
+  failed_ = failed_ || arity > MatchCode::kMostParts - first;
   if (failed_) return;
   pattern.steps.push_back({Kind::kOpen, of_part, source, 0, block[0]});
   pattern.parts += arity;

@@ -60,7 +60,7 @@ struct MatchStep {
 };
 
 /// Matches values with patterns. Every slot that is met for the first time is bound.
-struct Pattern {
+struct MatchCode {
   static constexpr std::size_t kMostParts = 64;
 
   std::vector<MatchStep> steps;
@@ -82,14 +82,14 @@ class CodeMaker {
   /// For a bound word. `computed`: interpreted functions in it are evaluated.
   Operand MakeOperand(Word word, std::uint32_t argument, bool computed) const;
   /// Code that matches the value of that number with a word, and binds its slots.
-  void AddMatch(Word word, std::uint32_t source, Pattern& pattern) {
+  void AddMatch(Word word, std::uint32_t source, MatchCode& pattern) {
     AddMatch(word, source, false, pattern);
   }
   /// A pattern had too many parts.
   bool failed() const { return failed_; }
 
  private:
-  void AddMatch(Word word, std::uint32_t source, bool of_part, Pattern& pattern);
+  void AddMatch(Word word, std::uint32_t source, bool of_part, MatchCode& pattern);
 
   const Functors* functors_;
   std::vector<bool> bound_;

@@ -44,14 +44,14 @@ struct TableStep {
   std::uint32_t arity = 0;
   std::vector<Operand> operands;  ///< The arguments that are ground by then.
   /// For the others of a row; kUnify: for the side that is not ground, matched with the other.
-  Pattern pattern;
+  MatchCode pattern;
   TableCall* call = nullptr;  ///< kCall.
 };
 
 /// A rule for calls that bind certain arguments, its body in the order of solving.
 struct TablePlan {
   const Contrapositive* rule = nullptr;
-  Pattern call;  ///< For the arguments of the call that are ground.
+  MatchCode call;  ///< For the arguments of the call that are ground.
   std::vector<TableStep> steps;
   std::vector<Operand> answer;  ///< The arguments of the head that the call leaves open.
 };

@@ -39,8 +39,8 @@ bool Tables::AreSameWithin(Word a, Word b) {
   return true;
 }
 
-bool Tables::MatchParts(const Pattern& pattern, const Word* given, Word* slots) {
-  std::array<Word, Pattern::kMostParts> parts;
+bool Tables::MatchParts(const MatchCode& pattern, const Word* given, Word* slots) {
+  std::array<Word, MatchCode::kMostParts> parts;
   Word* end = parts.data();
   for (const MatchStep& step : pattern.steps) {
     const Word value = step.of_part ? parts[step.source] : given[step.source];

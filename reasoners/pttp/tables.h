@@ -198,12 +198,12 @@ class Tables {
     }
     return true;
   }
-  bool Match(const Pattern& pattern, const Word* given, Word* slots) {
+  bool Match(const MatchCode& pattern, const Word* given, Word* slots) {
     if (!pattern.binds_only) return MatchParts(pattern, given, slots);
     for (const MatchStep& step : pattern.steps) slots[step.slot] = given[step.source];
     return true;
   }
-  bool MatchParts(const Pattern& pattern, const Word* given, Word* slots);
+  bool MatchParts(const MatchCode& pattern, const Word* given, Word* slots);
   bool AreSame(Word a, Word b) { return a == b || (TagOf(a) == TagOf(b) && AreSameWithin(a, b)); }
   bool AreSameWithin(Word a, Word b);
   Word Keep(Word word);
