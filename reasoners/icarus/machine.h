@@ -120,8 +120,8 @@ class Machine {
 
   // machine_acts.cc
   bool MakeAct(const Instruction& instruction);
-  void Emit(Index scope, FoundAct* act);
-  bool PassSkill(Scope& scope, FoundAct* act);
+  void Emit(Index index, FoundAct* act);
+  bool PassSkill(Scope& scope, FoundAct* act) const;
   void AcceptAtTop(FoundAct* act);
   bool AfterCall(const Choice& choice);
   const std::uint32_t* BestMeans(const Instruction& instruction, std::uint32_t count);
@@ -133,7 +133,7 @@ class Machine {
   bool Unify(const TermCode& term, const Value& value, Index base);
   bool Bind(const Instruction& instruction);
   void SetVariable(Index at, const Value& value);
-  Value CallFunction(std::uint32_t call, Index base);
+  Value CallFunction(std::uint32_t index, Index base);
   bool PushArguments(const CallCode& call, Index base);
   Value AskHost(const CallCode& call, std::span<const Value> arguments);
   Value CallHost(const CallCode& call, std::span<const Value> arguments);

@@ -62,7 +62,7 @@ void Machine::Emit(Index index, FoundAct* act) {
   }
 }
 
-bool Machine::PassSkill(Scope& scope, FoundAct* act) {
+bool Machine::PassSkill(Scope& scope, FoundAct* act) const {
   if (scope.in_objective) scope.any = true;
   switch (options_.acts) {
     case ActMode::kAll:

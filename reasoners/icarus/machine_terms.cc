@@ -116,8 +116,9 @@ bool Machine::Bind(const Instruction& instruction) {
   if (!value.is_none()) return Unify(term, value, base_);
   const Value bound = Evaluate(term, base_);
   if (bound.is_none()) {
-    if (term.kind != TermCode::Kind::kCall)
+    if (term.kind != TermCode::Kind::kCall) {
       Fail(instruction.form, "nothing to bind the variable to");
+    }
     return false;
   }
   SetVariable(base_ + instruction.a, bound);

@@ -36,12 +36,11 @@ bool SequenceStates::WasCalled(std::uint32_t skill, std::uint64_t cycle) const {
 
 void SequenceStates::EndCycle(std::uint64_t cycle, bool is_whole) {
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    State& state = *states_[i];
+  for (auto& slot : states_) {
+    State& state = *slot;
     if (is_whole && state.touched != cycle && WasCalled(state.skill, cycle)) {
       state.arena.Reset();
-      free_.push_back(std::move(states_[i]));
-      states_[i] = nullptr;
+      free_.push_back(std::move(slot));
     } else if (state.changed) {
       Keep(state);
     }

@@ -188,14 +188,13 @@ WorldScript ReadScript(std::string text, std::string file, NamePool& names, Find
 
 Value ScriptedWorld::Call(std::size_t function, std::span<const Value> arguments, Arena& /*arena*/,
                           NamePool& /*names*/) {
-  for (auto answer = answers_.rbegin(); answer != answers_.rend(); ++answer) {
-    const std::vector<Value>& patterns = (*answer)->arguments;
-    if ((*answer)->function == function &&
-        std::equal(patterns.begin(), patterns.end(), arguments.begin(), arguments.end(), Fits)) {
-      return (*answer)->answer;
-    }
-  }
-  return {};
+  const auto last =
+      std::find_if(answers_.rbegin(), answers_.rend(), [&](const ScriptAnswer* answer) {
+        const std::vector<Value>& patterns = answer->arguments;
+        return answer->function == function && std::equal(patterns.begin(), patterns.end(),
+                                                          arguments.begin(), arguments.end(), Fits);
+      });
+  return last == answers_.rend() ? Value() : (*last)->answer;
 }
 
 void ScriptedWorld::Begin(const ScriptCycle& cycle, FactStore& memory) {
