@@ -15,7 +15,8 @@ namespace latchwork::app {
 
 /// Adds an option for each parameter of the table: `max_depth` is `--max-depth VALUE`, a boolean
 /// `--cache` and `--no-cache`. What the command line says is checked and put into `given`, which
-/// outlives `command`; the table does as well. `aliases`: by parameter, another name for the option.
+/// outlives `command`; the table does as well. `aliases`: by parameter, another name for the
+/// option.
 void AddParameterOptions(CLI::App& command, std::span<const sdk::ParameterSpec> table,
                          std::vector<sdk::Parameters::Given>& given,
                          const std::map<std::string, std::string>& aliases = {});
