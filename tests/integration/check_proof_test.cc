@@ -14,10 +14,12 @@
 #include <vector>
 
 #include "tests/integration/run_command.h"
+#include "tests/temporary_folder.h"
 
 namespace latchwork::testing {
 namespace {
 
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -52,7 +54,7 @@ class CheckProofTest : public ::testing::Test {
     return RunLatchwork(arguments, scratch_.path());
   }
 
-  ScratchFolder scratch_;
+  TemporaryFolder scratch_;
 };
 
 /// The text with the first `from` replaced.

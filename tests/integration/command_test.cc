@@ -10,10 +10,12 @@
 #include <vector>
 
 #include "tests/integration/run_command.h"
+#include "tests/temporary_folder.h"
 
 namespace latchwork::testing {
 namespace {
 
+using test::TemporaryFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -41,7 +43,7 @@ class CommandTest : public ::testing::Test {
   std::filesystem::path File(const std::string& name) const { return folder_.path() / name; }
 
  private:
-  ScratchFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(CommandTest, RunJson_HasTheDocumentedFields) {

@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "tests/integration/run_command.h"
+#include "tests/temporary_folder.h"
 
 namespace latchwork::testing {
 namespace {
 
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -34,7 +36,7 @@ class EventsTest : public ::testing::Test {
   std::string Journal() const { return ReadText(folder_.path() / "out/run.journal"); }
 
  private:
-  ScratchFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(EventsTest, NothingFails_TakesTheNearElevator) {

@@ -12,10 +12,12 @@
 #include <vector>
 
 #include "tests/integration/run_command.h"
+#include "tests/temporary_folder.h"
 
 namespace latchwork::testing {
 namespace {
 
+using test::TemporaryFolder;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -42,7 +44,7 @@ struct Faulty {
 
 Faulty RunWith(const std::string& layer, const std::string& reasoner,
                const std::string& ticks = "60") {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   WriteText(folder.path() / "agent.xml", AgentWith(layer, reasoner));
   Faulty faulty;
   faulty.command = RunLatchwork(
@@ -103,7 +105,7 @@ TEST(FaultsTest, DeclaredFallbackIsSaidInsteadOfTheLayersOwn) {
 }
 
 TEST(FaultsTest, WrongAbiIsRefusedBeforeItRuns) {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   WriteText(folder.path() / "agent.xml", AgentWith("seek", R"(<reasoner plugin="wrong_abi"/>)"));
   const CommandResult result =
       RunLatchwork({"--plugin-path", kFaultPlugins, "run", "agent.xml"}, folder.path());
@@ -113,7 +115,7 @@ TEST(FaultsTest, WrongAbiIsRefusedBeforeItRuns) {
 }
 
 TEST(FaultsTest, TruncatedPluginIsRefusedWithItsReason) {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const std::filesystem::path plugin = folder.path() / "throws.so";
   std::filesystem::copy_file(kFaultPlugins + "/throws.so", plugin);
   std::filesystem::resize_file(plugin, std::filesystem::file_size(plugin) / 2);

@@ -7,10 +7,12 @@
 #include <string>
 
 #include "tests/integration/run_command.h"
+#include "tests/temporary_folder.h"
 
 namespace latchwork::testing {
 namespace {
 
+using test::TemporaryFolder;
 constexpr const char* kGood = "(Go () :action ({go}))\n";
 constexpr const char* kWarned = "(Top () :means ((Goo)))\n(Go () :action ({go}))\n";
 constexpr const char* kBad = "(Go () :acton ({go}))\n(Run (x) :action ({run}))\n";
@@ -23,7 +25,7 @@ class IcarusCommandTest : public ::testing::Test {
     return RunLatchwork(arguments, scratch_.path());
   }
 
-  ScratchFolder scratch_;
+  TemporaryFolder scratch_;
 };
 
 TEST_F(IcarusCommandTest, Check_GoodProgram_IsSummedUp) {

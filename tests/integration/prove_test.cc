@@ -10,10 +10,12 @@
 #include <vector>
 
 #include "tests/integration/run_command.h"
+#include "tests/temporary_folder.h"
 
 namespace latchwork::testing {
 namespace {
 
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -47,7 +49,7 @@ class ProveTest : public ::testing::Test {
   }
   CommandResult Shell(const std::string& script) { return RunShell(script, scratch_.path()); }
 
-  ScratchFolder scratch_;
+  TemporaryFolder scratch_;
 };
 
 TEST_F(ProveTest, Conjecture_IsTheoremOrCounterSatisfiable) {

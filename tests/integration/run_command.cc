@@ -11,11 +11,14 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "tests/temporary_folder.h"
+
 extern char** environ;
 
 namespace latchwork::testing {
 namespace {
 
+using test::TemporaryFolder;
 constexpr int kOwnerOnly = 0600;
 
 std::vector<char*> Pointers(std::vector<std::string>& words) {
@@ -49,7 +52,7 @@ int SpawnAndWait(std::vector<std::string> words, const std::filesystem::path& fo
 }
 
 CommandResult Run(std::vector<std::string> words, const std::filesystem::path& folder) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const std::filesystem::path out = scratch.path() / "out";
   const std::filesystem::path err = scratch.path() / "err";
   const int status = SpawnAndWait(std::move(words), folder, out, err);
@@ -67,17 +70,6 @@ CommandResult RunLatchwork(const std::vector<std::string>& arguments,
 
 CommandResult RunShell(const std::string& script, const std::filesystem::path& folder) {
   return Run({"/bin/sh", "-c", "PATH=" LATCHWORK_BINARY_DIR "/bin:$PATH; " + script}, folder);
-}
-
-ScratchFolder::ScratchFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "latchwork-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
-  path_ = name;
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored_on_purpose;
-  std::filesystem::remove_all(path_, ignored_on_purpose);
 }
 
 std::string ReadText(const std::filesystem::path& file) {

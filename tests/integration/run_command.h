@@ -22,19 +22,6 @@ CommandResult RunLatchwork(const std::vector<std::string>& arguments,
 /// variables and signals.
 CommandResult RunShell(const std::string& script, const std::filesystem::path& folder);
 
-/// An empty folder of this test's own, removed with the object.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 std::string ReadText(const std::filesystem::path& file);
 void WriteText(const std::filesystem::path& file, const std::string& text);
 

@@ -8,10 +8,12 @@
 #include <string>
 
 #include "tests/integration/run_command.h"
+#include "tests/temporary_folder.h"
 
 namespace latchwork::testing {
 namespace {
 
+using test::TemporaryFolder;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -22,7 +24,7 @@ std::string Loaded(const std::string& arguments, const std::filesystem::path& fo
 }
 
 TEST(StartupTest, Prove_LoadsNothingOfXerces) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   WriteText(scratch.path() / "problem.p", "fof(a, axiom, p). fof(c, conjecture, p).");
   EXPECT_THAT(Loaded("prove problem.p", scratch.path()),
               AllOf(HasSubstr("liblatchwork.so"), Not(HasSubstr("liblatchwork_xml")),
@@ -30,7 +32,7 @@ TEST(StartupTest, Prove_LoadsNothingOfXerces) {
 }
 
 TEST(StartupTest, Check_LoadsXerces) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   EXPECT_THAT(
       Loaded("check " LATCHWORK_SOURCE_DIR "/examples/office/scenario1.xml", scratch.path()),
       AllOf(HasSubstr("liblatchwork_xml"), HasSubstr("libxerces")));
@@ -39,7 +41,7 @@ TEST(StartupTest, Check_LoadsXerces) {
 /// A copy of the command and its library, without the module.
 TEST(StartupTest, MissingXmlModule_IsSaid) {
   namespace fs = std::filesystem;
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   fs::create_directories(scratch.path() / "lib");
   fs::copy(LATCHWORK_BINARY_DIR "/lib/liblatchwork.so", scratch.path() / "lib");
   const CommandResult result = RunShell("LD_LIBRARY_PATH=lib latchwork check " LATCHWORK_SOURCE_DIR

@@ -25,10 +25,12 @@
 #include "latchwork/schedule/lockstep.h"
 #include "tests/core/schedule/fakes.h"
 #include "tests/integration/run_command.h"
+#include "tests/temporary_folder.h"
 
 namespace latchwork::testing {
 namespace {
 
+using test::TemporaryFolder;
 using ::testing::Contains;
 using ::testing::Each;
 using ::testing::HasSubstr;
@@ -171,7 +173,7 @@ class SubsumptionTest : public ::testing::Test {
 
   /// Runs an agent file for so many ticks; what was seen is in `recorder_` and `world_->told`.
   schedule::RunResult Run(std::string_view xml, std::uint64_t ticks) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     WriteText(folder.path() / "agent.xml", std::string(xml));
     config::AgentFile file =
         config::ReadAgentFile(folder.path() / "agent.xml", Catalog(), {}, symbols_);

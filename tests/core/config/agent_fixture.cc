@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/core/config/agent_fixture.h"
 
-#include <unistd.h>
-
-#include <fstream>
 #include <map>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 namespace latchwork::config {
@@ -99,24 +95,13 @@ Catalog FakeCatalog() {
   return catalog;
 }
 
-AgentTest::AgentTest() {
-  std::string pattern =
-      (std::filesystem::temp_directory_path() / "latchwork-config-XXXXXX").string();
-  folder_ = mkdtemp(pattern.data());
-}
-
-AgentTest::~AgentTest() {
-  std::error_code error;
-  std::filesystem::remove_all(folder_, error);
-}
-
 void AgentTest::Write(const std::string& name, std::string_view text) const {
-  std::ofstream(folder_ / name, std::ios::binary) << text;
+  folder_.Write(name, text);
 }
 
 AgentFile AgentTest::Read(std::string_view text, const std::vector<Override>& overrides) {
   Write("agent.xml", text);
-  return ReadAgentFile(folder_ / "agent.xml", FakeCatalog(), overrides, symbols_);
+  return ReadAgentFile(folder_.path() / "agent.xml", FakeCatalog(), overrides, symbols_);
 }
 
 std::vector<std::string> AgentTest::Errors(std::string_view text,
@@ -129,8 +114,9 @@ std::vector<std::string> AgentTest::Errors(std::string_view text,
     line += std::to_string(place.line) + ":" + std::to_string(place.column) + ": ";
     line += diagnostic.message;
     if (!diagnostic.hint.empty()) line += " [" + diagnostic.hint + "]";
-    for (std::size_t at = 0; (at = line.find(folder_.string() + "/")) != std::string::npos;) {
-      line.erase(at, folder_.string().size() + 1);
+    for (std::size_t at = 0;
+         (at = line.find(folder_.path().string() + "/")) != std::string::npos;) {
+      line.erase(at, folder_.path().string().size() + 1);
     }
     lines.push_back(std::move(line));
   }

@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "latchwork/config/agent.h"
+#include "tests/temporary_folder.h"
 
 namespace latchwork::config {
 
@@ -20,9 +20,6 @@ Catalog FakeCatalog();
 /// Reads agent files of a folder that goes away with the test.
 class AgentTest : public ::testing::Test {
  protected:
-  AgentTest();
-  ~AgentTest() override;
-
   void Write(const std::string& name, std::string_view text) const;
   AgentFile Read(std::string_view text, const std::vector<Override>& overrides = {});
   /// "line:column: message [hint]" of every diagnostic; files other than the agent's come first:
@@ -30,7 +27,7 @@ class AgentTest : public ::testing::Test {
   std::vector<std::string> Errors(std::string_view text,
                                   const std::vector<Override>& overrides = {});
 
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
   logic::SymbolTable symbols_;
 };
 

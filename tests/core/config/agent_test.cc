@@ -138,7 +138,7 @@ TEST_F(AgentTest, WrongCommandLineOverridesAreReported) {
 }
 
 TEST_F(AgentTest, AMissingFileIsReported) {
-  const AgentFile file = ReadAgentFile(folder_ / "none.xml", FakeCatalog(), {}, symbols_);
+  const AgentFile file = ReadAgentFile(folder_.path() / "none.xml", FakeCatalog(), {}, symbols_);
   ASSERT_EQ(file.diagnostics.size(), 1U);
   EXPECT_EQ(file.diagnostics[0].message, "there is no such file");
 }

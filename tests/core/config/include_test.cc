@@ -56,8 +56,8 @@ TEST_F(AgentTest, AFragmentOnTopOverrides) {
   Write("top.xml",
         "<fragment format=\"1\"><override part=\"world\">"
         "<param name=\"people\" value=\"1\"/></override></fragment>");
-  const AgentFile file =
-      ReadAgentFile(folder_ / "agent.xml", FakeCatalog(), {}, symbols_, {folder_ / "top.xml"});
+  const AgentFile file = ReadAgentFile(folder_.path() / "agent.xml", FakeCatalog(), {}, symbols_,
+                                       {folder_.path() / "top.xml"});
   ASSERT_TRUE(file.agent) << logic::Format(file.diagnostics);
   EXPECT_EQ(file.agent->world.parameters.Integer("people"), 1);
 }

@@ -13,11 +13,13 @@
 #include <iterator>
 #include <string>
 
-#include "tests/core/plugin/temporary_folder.h"
+#include "tests/core/plugin/plugin_folders.h"
+#include "tests/temporary_folder.h"
 
 namespace latchwork::plugin {
 namespace {
 
+using test::TemporaryFolder;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;

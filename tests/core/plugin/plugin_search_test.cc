@@ -6,12 +6,13 @@
 
 #include <vector>
 
-#include "tests/core/plugin/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace latchwork::plugin {
 namespace {
 
 using std::filesystem::path;
+using test::TemporaryFolder;
 using testing::ElementsAre;
 using testing::IsEmpty;
 

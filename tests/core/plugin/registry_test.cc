@@ -13,12 +13,14 @@
 #include <string>
 #include <vector>
 
-#include "tests/core/plugin/temporary_folder.h"
+#include "tests/core/plugin/plugin_folders.h"
+#include "tests/temporary_folder.h"
 
 namespace latchwork::plugin {
 namespace {
 
 using std::filesystem::path;
+using test::TemporaryFolder;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;

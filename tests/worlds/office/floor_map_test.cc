@@ -8,13 +8,15 @@
 #include <iterator>
 #include <queue>
 
-#include "tests/worlds/office/temporary_folder.h"
+#include "tests/temporary_folder.h"
+#include "tests/worlds/office/shipped_folder.h"
 #include "tests/worlds/office/test_map.h"
 #include "worlds/office/collision.h"
 
 namespace latchwork::office {
 namespace {
 
+using test::TemporaryFolder;
 using testing::HasSubstr;
 
 const std::string kPixels("\xff\xff\x00\xcd\xff\xff", 6);  // top row first

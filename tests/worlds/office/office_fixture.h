@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/worlds/office/temporary_folder.h"
+#include "tests/worlds/office/shipped_folder.h"
 #include "worlds/office/office_world.h"
 
 namespace latchwork::office {

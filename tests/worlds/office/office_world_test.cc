@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/temporary_folder.h"
 #include "tests/worlds/office/office_fixture.h"
-#include "tests/worlds/office/temporary_folder.h"
 
 namespace latchwork::office {
 namespace {
 
 using logic::Fact;
 using logic::Term;
+using test::TemporaryFolder;
 using testing::HasSubstr;
 
 using OfficeWorldTest = OfficeFixture;

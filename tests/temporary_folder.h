@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LATCHWORK_TESTS_CORE_PLUGIN_TEMPORARY_FOLDER_H_
-#define LATCHWORK_TESTS_CORE_PLUGIN_TEMPORARY_FOLDER_H_
+#ifndef LATCHWORK_TESTS_TEMPORARY_FOLDER_H_
+#define LATCHWORK_TESTS_TEMPORARY_FOLDER_H_
 
 #include <stdlib.h>
 
@@ -10,19 +10,14 @@
 #include <string>
 #include <string_view>
 
-namespace latchwork::plugin {
+namespace latchwork::test {
 
-inline const std::filesystem::path kSamples =
-    std::filesystem::path(LATCHWORK_BINARY_DIR) / "sample_plugins";
-inline const std::filesystem::path kFaults =
-    std::filesystem::path(LATCHWORK_BINARY_DIR) / "fault_plugins";
-
-/// An empty folder that goes away with this object.
+/// An empty folder of its own that goes away with this object.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "latchwork_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    std::string name = (std::filesystem::temp_directory_path() / "latchwork-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
     path_ = std::filesystem::canonical(name);
   }
   ~TemporaryFolder() {
@@ -49,6 +44,6 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace latchwork::plugin
+}  // namespace latchwork::test
 
-#endif  // LATCHWORK_TESTS_CORE_PLUGIN_TEMPORARY_FOLDER_H_
+#endif  // LATCHWORK_TESTS_TEMPORARY_FOLDER_H_
