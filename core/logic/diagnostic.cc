@@ -5,7 +5,6 @@
 #include <cstddef>
 
 #include "core/logic/utf8.h"
-#include "latchwork/logic/diagnostic_label.h"
 
 namespace latchwork::logic {
 

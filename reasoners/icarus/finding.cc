@@ -5,8 +5,6 @@
 #include <tuple>
 #include <utility>
 
-#include "latchwork/logic/diagnostic_label.h"
-
 namespace latchwork::icarus {
 
 namespace {

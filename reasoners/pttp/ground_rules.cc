@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "reasoners/pttp/ground_terms.h"
-
 namespace latchwork::pttp {
 
 void GroundRules::Clear() {
@@ -22,7 +20,7 @@ void GroundRules::Clear() {
 
 const Word* GroundRules::Copy(std::span<const Word> terms) {
   Word* copy = terms_.Allocate(terms.size());
-  for (std::size_t i = 0; i < terms.size(); ++i) copy[i] = CopyTerm(terms[i], terms_);
+  for (std::size_t i = 0; i < terms.size(); ++i) copy[i] = Copy(terms[i]);
   return copy;
 }
 

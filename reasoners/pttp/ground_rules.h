@@ -11,6 +11,7 @@
 #include "reasoners/pttp/predicates.h"
 #include "reasoners/pttp/row_set.h"
 #include "reasoners/pttp/situation_rules.h"
+#include "reasoners/pttp/term_copier.h"
 #include "reasoners/pttp/unifier.h"
 #include "reasoners/pttp/variant_table.h"
 #include "reasoners/pttp/word.h"
@@ -82,11 +83,13 @@ class GroundRules {
   }
   bool assumes() const { return !assumptions_.empty(); }
   Arena& terms() { return terms_; }
+  Word Copy(Word term) { return copier_.Copy(term, terms_); }
 
  private:
   const Word* Copy(std::span<const Word> terms);
 
   Arena terms_;
+  TermCopier copier_;
   Unifier matcher_{terms_};
   VariantTable atom_numbers_;
   VariantTable action_numbers_;

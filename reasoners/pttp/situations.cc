@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "reasoners/pttp/ground_terms.h"
-
 namespace latchwork::pttp {
 
 void Situations::Clear() {
@@ -20,7 +18,7 @@ std::uint32_t Situations::NumberOfOrigin(Word situation) {
   for (std::uint32_t i = 0; i < origins_.size(); ++i) {
     if (SameAtomic(origins_[i].situation, situation)) return i;
   }
-  origins_.push_back({CopyTerm(situation, ground_.terms()), kNoState, {}});
+  origins_.push_back({ground_.Copy(situation), kNoState, {}});
   return static_cast<std::uint32_t>(origins_.size() - 1);
 }
 

@@ -64,30 +64,6 @@ bool Tables::MatchParts(const MatchCode& pattern, const Word* given, Word* slots
   return true;
 }
 
-/// A copy that lasts.
-Word Tables::Keep(Word word) {
-  if (IsNumber(word)) return Box(Number::In(word), store_.arena);
-  if (TagOf(word) != Tag::kCompound) return word;
-  Word* whole = store_.arena.Allocate(ArityOf(*AddressOf(word)) + 1);
-  copies_.assign(1, {AddressOf(word), whole});
-  while (!copies_.empty()) {
-    const Copy copy = copies_.back();
-    copies_.pop_back();
-    copy.to[0] = copy.from[0];
-    for (std::size_t i = ArityOf(copy.from[0]); i > 0; --i) {
-      const Word part = Dereference(copy.from[i]);
-      if (TagOf(part) != Tag::kCompound) {
-        copy.to[i] = Keep(part);
-        continue;
-      }
-      Word* block = store_.arena.Allocate(ArityOf(*AddressOf(part)) + 1);
-      copies_.push_back({AddressOf(part), block});
-      copy.to[i] = Tagged(Tag::kCompound, block);
-    }
-  }
-  return Tagged(Tag::kCompound, whole);
-}
-
 bool Tables::Calculate(const Operand& operand, const Word* slots, Number& number) {
   Number* top = numbers_.data();
   for (const Instruction& instruction : operand.calculation) {

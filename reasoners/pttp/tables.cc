@@ -39,7 +39,7 @@ std::optional<SearchEnd> Tables::Solve(TableProgram& program, const TablePlan& q
   const std::size_t nesting = nesting_;
   const Arena::Mark mark = stack_.arena.mark();
   Binding* binding = MakeBinding(*query.rule, stack_.arena);
-  for (std::size_t i = 0; i < given.size(); ++i) binding->slots()[i] = Keep(Dereference(given[i]));
+  for (std::size_t i = 0; i < given.size(); ++i) binding->slots()[i] = Keep(given[i]);
   const bool whole = Proceed({&run, &query, nullptr}, 0, {&binding, 1});
   stack_.arena.Release(mark);
   nesting_ = nesting;

@@ -21,6 +21,7 @@
 #include "reasoners/pttp/row_set.h"
 #include "reasoners/pttp/table_code.h"
 #include "reasoners/pttp/table_plan.h"
+#include "reasoners/pttp/term_copier.h"
 #include "reasoners/pttp/unifier.h"
 
 namespace latchwork::pttp {
@@ -206,7 +207,8 @@ class Tables {
   bool MatchParts(const MatchCode& pattern, const Word* given, Word* slots);
   bool AreSame(Word a, Word b) { return a == b || (TagOf(a) == TagOf(b) && AreSameWithin(a, b)); }
   bool AreSameWithin(Word a, Word b);
-  Word Keep(Word word);
+  /// A copy that lasts.
+  Word Keep(Word word) { return copier_.Copy(word, store_.arena); }
   bool ReadNumber(const Operand& operand, const Word* slots, Number& number) {
     if (operand.kind == Operand::Kind::kCalculation) return Calculate(operand, slots, number);
     if (operand.kind == Operand::Kind::kMixed) return Mix(operand, slots, number);
@@ -268,11 +270,7 @@ class Tables {
   std::vector<Consumer> consumers_;
   std::vector<Task> agenda_;
   std::size_t nesting_ = 0;
-  struct Copy {
-    const Word* from;
-    Word* to;
-  };
-  std::vector<Copy> copies_;
+  TermCopier copier_;
 };
 
 }  // namespace latchwork::pttp

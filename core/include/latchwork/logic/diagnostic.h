@@ -32,6 +32,8 @@ using Diagnostics = std::vector<Diagnostic>;
 /// with a newline. Control characters of the excerpt are shown as '?', and long lines are cut
 /// around the caret.
 std::string Format(const Diagnostic& diagnostic);
+/// With `label` ("warning", "note", "error[I004]") in place of "error".
+std::string Format(const Diagnostic& diagnostic, std::string_view label);
 std::string Format(const Diagnostics& diagnostics);
 
 /// The candidate nearest to `word` by edit distance, or "" when none is near enough to be a typing
