@@ -12,7 +12,7 @@
 #include <system_error>
 
 #include "apps/latchwork/icarus_command.h"
-#include "reasoners/icarus/reader.h"
+#include "reasoners/icarus/language/reader.h"
 
 namespace latchwork::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "apps/latchwork/command.h"
-#include "reasoners/icarus/program.h"
+#include "reasoners/icarus/language/program.h"
 
 namespace latchwork::app {
 

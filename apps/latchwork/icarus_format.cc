@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "apps/latchwork/icarus_command.h"
-#include "reasoners/icarus/formatter.h"
-#include "reasoners/icarus/reader.h"
+#include "reasoners/icarus/language/reader.h"
+#include "reasoners/icarus/tools/formatter.h"
 
 namespace latchwork::app {
 namespace {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "apps/latchwork/icarus_command.h"
-#include "reasoners/icarus/interpreter.h"
-#include "reasoners/icarus/world_script.h"
+#include "reasoners/icarus/machine/interpreter.h"
+#include "reasoners/icarus/tools/world_script.h"
 
 namespace latchwork::app {
 namespace {

@@ -18,10 +18,10 @@
 #include "apps/latchwork/parameter_options.h"
 #include "apps/latchwork/prove_limits.h"
 #include "apps/latchwork/tptp_input.h"
-#include "reasoners/pttp/failure_explanation.h"
 #include "reasoners/pttp/options.h"
-#include "reasoners/pttp/prover.h"
-#include "reasoners/pttp/schedule.h"
+#include "reasoners/pttp/proofs/failure_explanation.h"
+#include "reasoners/pttp/strategies/prover.h"
+#include "reasoners/pttp/strategies/schedule.h"
 
 namespace latchwork::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reasoners/pttp/schedule.h"
+#include "reasoners/pttp/strategies/schedule.h"
 
 namespace latchwork::pttp {
 namespace {

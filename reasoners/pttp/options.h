@@ -6,7 +6,7 @@
 
 #include "latchwork/sdk/contract.h"
 #include "latchwork/sdk/parameters.h"
-#include "reasoners/pttp/prover.h"
+#include "reasoners/pttp/strategies/prover.h"
 
 namespace latchwork::pttp {
 

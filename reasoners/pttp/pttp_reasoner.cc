@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "reasoners/pttp/derivation.h"
 #include "reasoners/pttp/options.h"
+#include "reasoners/pttp/proofs/derivation.h"
 
 namespace latchwork::pttp {
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "latchwork/sdk/reasoner.h"
-#include "reasoners/pttp/engine.h"
-#include "reasoners/pttp/goal_memory.h"
-#include "reasoners/pttp/query.h"
-#include "reasoners/pttp/theory.h"
+#include "reasoners/pttp/search/engine.h"
+#include "reasoners/pttp/search/goal_memory.h"
+#include "reasoners/pttp/search/query.h"
+#include "reasoners/pttp/theory/theory.h"
 
 namespace latchwork::pttp {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "reasoners/pttp/engine.h"
+#include "reasoners/pttp/search/engine.h"
 #include "tests/bench/cpu_clock.h"
 #include "tests/reasoners/pttp/ladder.h"
 

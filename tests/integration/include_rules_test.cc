@@ -79,7 +79,8 @@ TEST(IncludeRulesTest, PluginThatSeesMoreThanLogicAndSdk_IsFound) {
   EXPECT_THAT(Dependencies("plugins/avoid/force.cc", "latchwork/sdk/attachment.h"), IsEmpty());
   EXPECT_THAT(Dependencies("plugins/avoid/force.cc", "plugins/avoid/force.h"), IsEmpty());
   EXPECT_THAT(Dependencies("plugins/avoid/force.cc", "plugins/seek/force.h"), SizeIs(1));
-  EXPECT_THAT(Dependencies("plugins/avoid/force.cc", "reasoners/pttp/prover.h"), SizeIs(1));
+  EXPECT_THAT(Dependencies("plugins/avoid/force.cc", "reasoners/pttp/strategies/prover.h"),
+              SizeIs(1));
   EXPECT_THAT(Dependencies("worlds/office/map.cc", "latchwork/schedule/latch.h"), SizeIs(1));
 }
 

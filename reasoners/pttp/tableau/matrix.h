@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "latchwork/logic/clause.h"
-#include "reasoners/pttp/strategy.h"
+#include "reasoners/pttp/strategies/strategy.h"
 #include "reasoners/pttp/tableau/fingerprint.h"
 #include "reasoners/pttp/tableau/matrix_terms.h"
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "latchwork/logic/clause.h"
-#include "reasoners/pttp/clause_instance.h"
-#include "reasoners/pttp/strategy.h"
+#include "reasoners/pttp/proofs/clause_instance.h"
+#include "reasoners/pttp/strategies/strategy.h"
 #include "reasoners/pttp/tableau/bindings.h"
 #include "reasoners/pttp/tableau/grow_stack.h"
 #include "reasoners/pttp/tableau/matrix.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reasoners/icarus/formatter.h"
+#include "reasoners/icarus/tools/formatter.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "reasoners/icarus/reader.h"
+#include "reasoners/icarus/language/reader.h"
 #include "tests/reasoners/icarus/programs.h"
 
 namespace latchwork::icarus {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reasoners/icarus/interpreter.h"
+#include "reasoners/icarus/machine/interpreter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reasoners/icarus/program.h"
+#include "reasoners/icarus/language/program.h"
 
 #include <gtest/gtest.h>
 

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "reasoners/icarus/interpreter.h"
-#include "reasoners/icarus/program.h"
-#include "reasoners/icarus/world_script.h"
+#include "reasoners/icarus/language/program.h"
+#include "reasoners/icarus/machine/interpreter.h"
+#include "reasoners/icarus/tools/world_script.h"
 #include "tests/reasoners/icarus/random_program.h"
 #include "tests/reasoners/icarus/reference.h"
 

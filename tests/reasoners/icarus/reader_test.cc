@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reasoners/icarus/reader.h"
+#include "reasoners/icarus/language/reader.h"
 
 #include <gtest/gtest.h>
 

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "reasoners/icarus/interpreter.h"
-#include "reasoners/icarus/program.h"
+#include "reasoners/icarus/language/program.h"
+#include "reasoners/icarus/machine/interpreter.h"
 
 namespace latchwork::icarus::testing {
 

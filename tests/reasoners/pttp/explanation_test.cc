@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reasoners/pttp/explanation.h"
+#include "reasoners/pttp/proofs/explanation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "latchwork/logic/tptp.h"
-#include "reasoners/pttp/failure_explanation.h"
-#include "reasoners/pttp/prover.h"
+#include "reasoners/pttp/proofs/failure_explanation.h"
+#include "reasoners/pttp/strategies/prover.h"
 
 namespace latchwork::pttp {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reasoners/pttp/prover.h"
+#include "reasoners/pttp/strategies/prover.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

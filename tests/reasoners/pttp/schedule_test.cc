@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reasoners/pttp/schedule.h"
+#include "reasoners/pttp/strategies/schedule.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "latchwork/logic/tptp.h"
-#include "reasoners/pttp/prover.h"
+#include "reasoners/pttp/strategies/prover.h"
 
 namespace latchwork::pttp {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "latchwork/logic/tptp.h"
-#include "reasoners/pttp/prover.h"
+#include "reasoners/pttp/strategies/prover.h"
 #include "tests/reasoners/pttp/random_clauses.h"
 
 namespace latchwork::pttp {

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <array>
+
+#include "reasoners/icarus/language/finding.h"
+
+namespace latchwork::icarus {
+
+namespace {
+
+constexpr Severity kError = Severity::kError;
+constexpr Severity kWarning = Severity::kWarning;
+
+/// In the order of Code. A name, once published, keeps its meaning.
+constexpr std::array<CodeInfo, 29> kCodes = {{
+    {"I001", kError,
+     "A bracket is missing, superfluous or of the wrong kind. Lists stand in ( ), calls of host "
+     "functions in { }."},
+    {"I002", kError,
+     "This is no token of the language: a character that cannot be part of a name, a string that "
+     "is not closed on its line, or a number that does not fit into 64 bits."},
+    {"I003", kError, "Brackets may nest to a depth of 1000."},
+    {"I004", kError,
+     "A program is made of skills, (NAME (?x ...) :slot ...), of constants, (constant *NAME* "
+     "value), and of initial facts, (facts (head ...) ...)."},
+    {"I005", kError,
+     "A skill begins with its name and the list of its parameters, which are different variables: "
+     "(Near (?car) ...)."},
+    {"I006", kError,
+     "The slots are :objective :requires :means :sequence :action :sensor and :value."},
+    {"I007", kError,
+     "Each slot stands once, followed by one list; :value is followed by a number or a call."},
+    {"I008", kError,
+     "A skill is of one type: a plan (:objective, :requires, :means), a sequence, an action or a "
+     "sensor. :value may be added to any."},
+    {"I009", kError, "Names of skills are unique; upper and lower case are the same."},
+    {"I010", kError,
+     "A clause is a call of a skill or a match form in ( ), a call of a host function in { }, "
+     "(bind ?v term), (*not* clause) or (*notA* clause). An action holds calls only, a sensor "
+     "calls and bind."},
+    {"I011", kError, "A skill is called with more arguments than it has parameters."},
+    {"I012", kError,
+     "A constant is defined once, (constant *NAME* value), with a ground value, and is defined "
+     "before it is used in another constant. *cycle* is the number of the present cycle."},
+    {"I013", kError, "A fact is a list without variables and calls: (driver car1 anna)."},
+    {"I014", kWarning,
+     "A skill is called with fewer arguments than it has parameters. The rest are unbound, and "
+     "what they are bound to is lost."},
+    {"I015", kWarning,
+     "No skill has this name, so the clause asks short-term memory for a fact; but its name is "
+     "nearly that of a skill."},
+    {"I016", kWarning,
+     "No skill has this name, so the clause asks short-term memory for a fact; but no fact of the "
+     "program begins so, and nothing in it stores one."},
+    {"I017", kWarning,
+     "A variable that stands once in a skill binds nothing and tests nothing; mostly it is a slip. "
+     "Write ? or begin its name with an underscore, ?_x, where it is meant."},
+    {"I018", kWarning, "No skill that could be the top of the program leads to this one."},
+    {"I019", kWarning, "An empty :objective is True, so :requires and :means are never asked for."},
+    {"I020", kWarning,
+     "An act must have no unbound variables; nothing before this clause binds the variable, so the "
+     "act is never offered."},
+    {"I021", kWarning,
+     "A host function is called with values; nothing before this clause binds the variable, so the "
+     "call is False and a fault is reported."},
+    {"I022", kWarning,
+     "This means offers its act whenever it is asked; with acts = first, those after it are never "
+     "chosen."},
+    {"I023", kWarning,
+     "The first thing that the skill asks for is, directly or through others, the skill itself: it "
+     "ends at the limit of depth, with a fault."},
+    {"I024", kWarning,
+     "The state of a sequence is kept for the values of its parameters; nothing before this clause "
+     "binds the variable, so all such calls share one state."},
+    {"I025", kWarning,
+     "Memory is changed where a clause is only asked whether it holds. Changes belong into "
+     ":sensor and :action."},
+    {"I026", kWarning, "The same name is spelt with different letters in upper and lower case."},
+    {"I027", kError, "The function takes another number of arguments, or others."},
+    {"I028", kError, "The host offers no function of this name."},
+    {"I029", kError,
+     "A script of a world holds (top (Skill argument ...)), (functions name ...) and "
+     "(cycle item ...), whose items are (answer {function argument ...} value), (store fact), "
+     "(forget pattern), (top call), (idle), (repeat n) and (expect {act} ... true|false|fault)."},
+}};
+
+}  // namespace
+
+const CodeInfo& Info(Code code) { return kCodes.at(static_cast<std::size_t>(code)); }
+
+std::span<const CodeInfo> AllCodes() { return kCodes; }
+
+}  // namespace latchwork::icarus

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reasoners/icarus/language/program.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "reasoners/icarus/language/program_builder.h"
+#include "reasoners/icarus/language/reader.h"
+#include "reasoners/icarus/lint/lint.h"
+
+namespace latchwork::icarus {
+
+std::uint32_t Program::Find(std::string_view name) const {
+  const std::string folded = Fold(name);
+  const auto found = std::find_if(skills.begin(), skills.end(),
+                                  [&](const Skill& skill) { return skill.name == folded; });
+  return found == skills.end() ? kNoSkill : static_cast<std::uint32_t>(found - skills.begin());
+}
+
+ProgramFile ReadProgram(std::string text, std::string file, const CheckOptions& options) {
+  ProgramFile result;
+  Program& program = result.program;
+  program.source = ReadForms(std::move(text), std::move(file), result.findings);
+  BuildProgram(program, result.findings);
+  Reporter reporter(program.source, result.findings);
+  if (!HasErrors(result.findings)) {
+    LintCalls(program, options, reporter, result.findings);
+    LintVariables(program, reporter);
+    LintSkills(program, options, reporter);
+    LintSpelling(program, reporter);
+  }
+  Settle(program.source, result.findings);
+  return result;
+}
+
+}  // namespace latchwork::icarus

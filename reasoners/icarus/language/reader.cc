@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reasoners/icarus/language/reader.h"
+
+#include <utility>
+#include <vector>
+
+#include "reasoners/icarus/language/lexer.h"
+
+namespace latchwork::icarus {
+
+namespace {
+
+class Reader {
+ public:
+  Reader(SourceTree& tree, Findings& findings)
+      : tree_(tree), lexer_(tree.text, tree.comments), reporter_(tree, findings) {}
+
+  void ReadAll() {
+    for (Token token = lexer_.Next(); token.kind != Token::Kind::kEnd && !reporter_.full();
+         token = lexer_.Next()) {
+      switch (token.kind) {
+        case Token::Kind::kOpen:
+          ReadRoot(token);
+          break;
+        case Token::Kind::kClose:
+          Complain(Code::kBracket, token,
+                   std::string("this '") + token.bracket + "' closes nothing", "take it out");
+          break;
+        case Token::Kind::kAtom:
+          tree_.roots.push_back(Append(token.form));
+          break;
+        default:
+          Complain(Code::kToken, token, lexer_.problem(), lexer_.remedy());
+      }
+    }
+  }
+
+ private:
+  struct Open {
+    FormId form;
+    FormId last_child;
+  };
+
+  void Complain(Code code, const Token& at, std::string message, std::string hint = {}) {
+    reporter_.AddAt(code, at.form.begin, at.form.line, at.form.column, std::move(message),
+                    std::move(hint));
+  }
+
+  FormId Append(const Form& form) {
+    const auto id = static_cast<FormId>(tree_.forms.size());
+    tree_.forms.push_back(form);
+    if (open_.empty()) return id;
+    Open& parent = open_.back();
+    FormId& link = parent.last_child == kNoForm ? tree_.forms[parent.form].first_child
+                                                : tree_.forms[parent.last_child].next_sibling;
+    link = id;
+    parent.last_child = id;
+    return id;
+  }
+
+  void Push(const Token& token) {
+    Form form = token.form;
+    form.kind = token.bracket == '(' ? FormKind::kList : FormKind::kCall;
+    open_.push_back({Append(form), kNoForm});
+  }
+
+  /// Reads up to the bracket that closes `first`; a form with a mistake in its brackets is dropped.
+  void ReadRoot(const Token& first) {
+    open_.clear();
+    Push(first);
+    const FormId root = open_.back().form;
+    while (!open_.empty()) {
+      const Token token = lexer_.Next();
+      if (token.kind == Token::Kind::kOpen && open_.size() < kMaxNesting) {
+        Push(token);
+      } else if (token.kind == Token::Kind::kAtom) {
+        Append(token.form);
+      } else if (token.kind == Token::Kind::kBad) {
+        Complain(Code::kToken, token, lexer_.problem(), lexer_.remedy());
+      } else if (!Close(first, token)) {
+        open_.clear();
+        return;
+      }
+    }
+    tree_.roots.push_back(root);
+  }
+
+  bool Close(const Token& first, const Token& token) {
+    if (token.kind == Token::Kind::kOpen) {
+      Complain(Code::kDepth, token, "brackets nest deeper than " + std::to_string(kMaxNesting));
+      lexer_.SkipToLineThatOpens(token);
+      return false;
+    }
+    const FormId open = open_.back().form;
+    const bool list = tree_.kind(open) == FormKind::kList;
+    const char wanted = list ? ')' : '}';
+    if (token.kind == Token::Kind::kClose && token.bracket == wanted) {
+      tree_.forms[open].end = token.form.end;
+      tree_.forms[open].end_line = token.form.line;
+      open_.pop_back();
+      return true;
+    }
+    if (token.kind == Token::Kind::kEnd) {
+      Unclosed(first, open);
+    } else {
+      Mismatch(token, open, wanted);
+    }
+    return false;
+  }
+
+  void Mismatch(const Token& token, FormId open, char wanted) {
+    const Form& opener = tree_.at(open);
+    Complain(Code::kBracket, token,
+             std::string("expected '") + wanted + "' to close '" + tree_.text[opener.begin] +
+                 "' of " + std::to_string(opener.line) + ':' + std::to_string(opener.column));
+    reporter_.Note(open, "opened here");
+    lexer_.SkipToLineThatOpens(token);
+  }
+
+  void Unclosed(const Token& first, FormId innermost) {
+    lexer_.SkipToLineThatOpens(first);
+    Complain(Code::kBracket, first, "this '(' is not closed before the end of the file",
+             "count the brackets of this form");
+    if (innermost != open_.front().form) {
+      reporter_.Note(innermost, "the last bracket left open");
+    }
+  }
+
+  SourceTree& tree_;
+  Lexer lexer_;
+  Reporter reporter_;
+  std::vector<Open> open_;
+};
+
+}  // namespace
+
+SourceTree ReadForms(std::string text, std::string file, Findings& findings) {
+  SourceTree tree;
+  tree.file = std::move(file);
+  if (text.size() > kMaxProgramBytes) {
+    Reporter(tree, findings)
+        .AddAt(Code::kToken, 0, 0, 0, "the file is larger than a program may be (16 MiB)");
+    return tree;
+  }
+  tree.text = std::move(text);
+  Reader(tree, findings).ReadAll();
+  return tree;
+}
+
+}  // namespace latchwork::icarus

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reasoners/icarus/language/signature.h"
+#include "reasoners/icarus/language/walk.h"
+#include "reasoners/icarus/lint/lint.h"
+
+namespace latchwork::icarus {
+
+namespace {
+
+std::string Count(std::size_t count, std::string_view noun) {
+  return std::to_string(count) + ' ' + std::string(noun) + (count == 1 ? "" : "s");
+}
+
+std::string Wanted(const Signature& signature) {
+  if (signature.most == kAnyNumber) return "at least " + Count(signature.least, "argument");
+  if (signature.least == signature.most) return Count(signature.least, "argument");
+  return std::to_string(signature.least) + " to " + Count(signature.most, "argument");
+}
+
+/// Whether what is written can never be of the type.
+bool Offends(const Term& term, ArgumentType type) {
+  switch (term.kind) {
+    case TermKind::kInteger:
+    case TermKind::kReal:
+      return type == ArgumentType::kSymbol || type == ArgumentType::kList;
+    case TermKind::kSymbol:
+    case TermKind::kString:
+      return type == ArgumentType::kNumber || type == ArgumentType::kList;
+    case TermKind::kList:
+      return type == ArgumentType::kNumber || type == ArgumentType::kSymbol;
+    default:
+      return false;
+  }
+}
+
+/// The heads of the facts that a program begins with or stores; `open` when a head is computed.
+struct FactHeads {
+  std::set<std::string, std::less<>> names;
+  bool open = false;
+
+  void Add(const Term& fact) {
+    if (fact.kind != TermKind::kList || fact.items.empty()) return;
+    const Term& head = fact.items.front();
+    if (head.kind == TermKind::kSymbol) {
+      names.insert(head.text);
+    } else if (head.kind == TermKind::kVariable) {
+      open = true;
+    }
+  }
+};
+
+class CallLint {
+ public:
+  CallLint(const Program& program, const CheckOptions& options, Reporter& reporter,
+           Findings& findings)
+      : program_(program), options_(options), reporter_(reporter), findings_(findings) {
+    for (const Skill& skill : program.skills) names_.push_back(skill.name);
+    for (const Term& fact : program.facts) heads_.Add(fact);
+    for (const Skill& skill : program.skills) {
+      WalkTerms(skill, [&](const Term& term, Slot) {
+        if (term.kind != TermKind::kCall || term.items.empty()) return;
+        if (term.text == "store" || term.text == "update") heads_.Add(term.items.back());
+      });
+    }
+  }
+
+  void Check(const Skill& skill) {
+    WalkClauses(skill, [&](const Clause& clause, Slot) {
+      if (clause.kind == ClauseKind::kSkill) CheckArity(clause);
+      if (clause.kind == ClauseKind::kMatch) CheckMatch(clause);
+    });
+    WalkTerms(skill, [&](const Term& term, Slot slot) {
+      if (term.kind == TermKind::kCall) CheckCall(term, slot);
+    });
+    if (skill.value) {
+      WalkTerm(*skill.value, [&](const Term& term) {
+        if (term.kind == TermKind::kCall) CheckCall(term, Slot::kObjective);
+      });
+    }
+  }
+
+ private:
+  void CheckArity(const Clause& clause) {
+    const Skill& callee = program_.skills[clause.skill];
+    const std::size_t given = clause.terms.size();
+    if (given == callee.parameters) return;
+    const bool more = given > callee.parameters;
+    reporter_.Add(more ? Code::kTooManyArguments : Code::kTooFewArguments, clause.form,
+                  "'" + callee.spelling + "' has " + Count(callee.parameters, "parameter") +
+                      ", but is called with " + std::to_string(given),
+                  more ? "take out what is too much" : "write ? for what is of no interest");
+    reporter_.Note(callee.name_form, "defined here");
+    if (!more && options_.strict && !findings_.empty()) {
+      findings_.back().severity = Severity::kError;
+    }
+  }
+
+  void CheckMatch(const Clause& clause) {
+    const Term& head = clause.terms.front();
+    if (head.kind != TermKind::kSymbol || heads_.names.contains(head.text)) return;
+    const std::string_view nearest = Nearest(head.text);
+    const std::string name(program_.source.Text(head.form));
+    if (!nearest.empty()) {
+      reporter_.Add(Code::kMisspeltSkill, clause.form,
+                    "there is no skill '" + name + "', so this asks memory for a fact",
+                    "did you mean '" + program_.skills[program_.Find(nearest)].spelling + "'?");
+    } else if (!program_.facts.empty() && !heads_.open) {
+      reporter_.Add(Code::kUnknownFact, clause.form,
+                    "there is no skill '" + name + "', and no fact begins with it",
+                    "define the skill, or declare the fact: (facts (" + name + " ...))");
+    }
+  }
+
+  /// Compares names, as long as that stays cheap.
+  std::string_view Nearest(const std::string& name) {
+    constexpr std::size_t kMostComparisons = 1U << 20U;
+    const auto known = nearest_.find(name);
+    if (known != nearest_.end()) return known->second;
+    comparisons_ += names_.size();
+    if (comparisons_ > kMostComparisons) return {};
+    return nearest_.emplace(name, logic::NearestName(name, names_)).first->second;
+  }
+
+  void CheckCall(const Term& call, Slot slot) {
+    const Signature* signature = FindBuiltin(call.text);
+    if (signature == nullptr) return;
+    if (call.items.size() < signature->least || call.items.size() > signature->most) {
+      reporter_.Add(Code::kFunctionArguments, call.form,
+                    "{" + call.text + "} takes " + Wanted(*signature) + ", but is called with " +
+                        std::to_string(call.items.size()));
+    }
+    for (const Term& item : call.items) {
+      if (!Offends(item, signature->type)) continue;
+      reporter_.Add(
+          Code::kFunctionArguments, item.form,
+          "{" + call.text + "} takes a " + std::string(NameOf(signature->type)) + " here");
+    }
+    if (!signature->changes_memory || slot == Slot::kSensor || slot == Slot::kAction) return;
+    reporter_.Add(Code::kEffect, call.form, "{" + call.text + "} changes memory in a condition",
+                  "put it into the :sensor or :action of a skill of its own");
+  }
+
+  const Program& program_;
+  const CheckOptions& options_;
+  Reporter& reporter_;
+  Findings& findings_;
+  std::vector<std::string> names_;
+  FactHeads heads_;
+  std::map<std::string, std::string_view> nearest_;
+  std::size_t comparisons_ = 0;
+};
+
+}  // namespace
+
+void LintCalls(const Program& program, const CheckOptions& options, Reporter& reporter,
+               Findings& findings) {
+  CallLint lint(program, options, reporter, findings);
+  for (const Skill& skill : program.skills) lint.Check(skill);
+}
+
+}  // namespace latchwork::icarus

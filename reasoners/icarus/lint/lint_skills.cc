@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reasoners/icarus/language/walk.h"
+#include "reasoners/icarus/lint/lint.h"
+
+namespace latchwork::icarus {
+
+namespace {
+
+std::vector<bool> Called(const Program& program) {
+  std::vector<bool> called(program.skills.size(), false);
+  for (std::size_t i = 0; i < program.skills.size(); ++i) {
+    WalkClauses(program.skills[i], [&](const Clause& clause, Slot) {
+      if (clause.kind == ClauseKind::kSkill && clause.skill != i) called[clause.skill] = true;
+    });
+  }
+  return called;
+}
+
+/// With no top known, the first skill and those that no other calls may be it.
+std::vector<std::uint32_t> Tops(const Program& program, const CheckOptions& options) {
+  if (!options.top.empty()) return {program.Find(options.top)};
+  const std::vector<bool> called = Called(program);
+  std::vector<std::uint32_t> tops;
+  for (std::uint32_t i = 0; i < program.skills.size(); ++i) {
+    if (i == 0 || !called[i]) tops.push_back(i);
+  }
+  return tops;
+}
+
+void LintReach(const Program& program, const CheckOptions& options, Reporter& reporter) {
+  std::vector<std::uint32_t> open = Tops(program, options);
+  std::vector<bool> reached(program.skills.size(), false);
+  while (!open.empty()) {
+    const std::uint32_t index = open.back();
+    open.pop_back();
+    if (index == kNoSkill || reached[index]) continue;
+    reached[index] = true;
+    WalkClauses(program.skills[index], [&](const Clause& clause, Slot) {
+      if (clause.kind == ClauseKind::kSkill) open.push_back(clause.skill);
+    });
+  }
+  for (std::size_t i = 0; i < program.skills.size(); ++i) {
+    if (reached[i]) continue;
+    reporter.Add(Code::kUnreachable, program.skills[i].name_form,
+                 "the skill '" + program.skills[i].spelling + "' is never reached",
+                 "call it, or take it out");
+  }
+}
+
+bool IsEmpty(const std::vector<Clause>* clauses) { return clauses == nullptr || clauses->empty(); }
+
+/// The clause that is asked first whenever the skill is called; null when there is none.
+const Clause* FirstAsked(const Skill& skill) {
+  if (skill.type == SkillType::kSequence) {
+    const std::vector<Clause>* steps = skill.slot(Slot::kSequence);
+    return IsEmpty(steps) ? nullptr : &steps->front();
+  }
+  if (skill.type != SkillType::kPlan) return nullptr;
+  for (const Slot slot : {Slot::kObjective, Slot::kRequires, Slot::kMeans}) {
+    const std::vector<Clause>* clauses = skill.slot(slot);
+    if (clauses != nullptr && !clauses->empty()) return &clauses->front();
+    if (slot == Slot::kObjective && clauses != nullptr) return nullptr;
+  }
+  return nullptr;
+}
+
+std::uint32_t FirstCalled(const Skill& skill) {
+  const Clause* clause = FirstAsked(skill);
+  while (clause != nullptr && !clause->inner.empty()) clause = &clause->inner.front();
+  return clause != nullptr && clause->kind == ClauseKind::kSkill ? clause->skill : kNoSkill;
+}
+
+/// Each skill asks one other first, at most: a walk that meets its own track is a cycle.
+void LintEndless(const Program& program, Reporter& reporter) {
+  std::vector<std::size_t> track(program.skills.size(), 0);
+  for (std::size_t i = 0; i < program.skills.size(); ++i) {
+    auto at = static_cast<std::uint32_t>(i);
+    while (at != kNoSkill && track[at] == 0) {
+      track[at] = i + 1;
+      at = FirstCalled(program.skills[at]);
+    }
+    if (at == kNoSkill || track[at] != i + 1) continue;
+    reporter.Add(Code::kEndless, program.skills[at].name_form,
+                 "the skill '" + program.skills[at].spelling + "' calls itself before all else",
+                 "begin with an :objective or a condition that ends the recursion");
+  }
+}
+
+/// Whether the skill offers an act whenever it is asked.
+bool AlwaysActs(const Program& program, std::uint32_t index) {
+  for (std::size_t steps = 0; steps < program.skills.size(); ++steps) {
+    const Skill& skill = program.skills[index];
+    if (skill.type == SkillType::kAction) return true;
+    const bool unconditional = skill.type == SkillType::kPlan &&
+                               skill.slot(Slot::kObjective) == nullptr &&
+                               IsEmpty(skill.slot(Slot::kRequires));
+    if (!unconditional) return false;
+    index = FirstCalled(skill);
+    if (index == kNoSkill || !FirstAsked(skill)->inner.empty()) return false;
+  }
+  return false;
+}
+
+void LintMeans(const Program& program, const Skill& skill, Reporter& reporter) {
+  const std::vector<Clause>* means = skill.slot(Slot::kMeans);
+  if (means == nullptr) return;
+  for (std::size_t i = 0; i + 1 < means->size(); ++i) {
+    const Clause& clause = (*means)[i];
+    if (clause.kind != ClauseKind::kSkill || !AlwaysActs(program, clause.skill)) continue;
+    reporter.Add(Code::kHidingMeans, clause.form,
+                 "this act is always offered, so with acts = first those after it never are",
+                 "put it last, or give it a condition");
+    return;
+  }
+}
+
+void LintObjective(const Program& program, const Skill& skill, Reporter& reporter) {
+  const std::vector<Clause>* objective = skill.slot(Slot::kObjective);
+  if (objective == nullptr || !objective->empty()) return;
+  const FormId keyword = skill.slot_forms[static_cast<std::size_t>(Slot::kObjective)];
+  if (program.source.at(program.source.at(keyword).next_sibling).first_child != kNoForm) return;
+  reporter.Add(Code::kAlwaysTrue, keyword,
+               "an empty :objective is True, so '" + skill.spelling + "' never acts",
+               "take it out: without one the objective is False");
+}
+
+}  // namespace
+
+void LintSkills(const Program& program, const CheckOptions& options, Reporter& reporter) {
+  for (const Skill& skill : program.skills) {
+    LintObjective(program, skill, reporter);
+    LintMeans(program, skill, reporter);
+  }
+  LintEndless(program, reporter);
+  LintReach(program, options, reporter);
+}
+
+}  // namespace latchwork::icarus

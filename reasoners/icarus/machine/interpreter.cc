@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reasoners/icarus/machine/interpreter.h"
+
+#include <algorithm>
+#include <array>
+#include <new>
+#include <utility>
+
+#include "reasoners/icarus/machine/compiler.h"
+#include "reasoners/icarus/machine/machine.h"
+
+namespace latchwork::icarus {
+
+namespace {
+
+bool SameValues(std::span<const Value> a, std::span<const Value> b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), Equal);
+}
+
+bool SameAct(const Act& a, const Act& b) {
+  return std::equal(a.calls.begin(), a.calls.end(), b.calls.begin(), b.calls.end(),
+                    [](const ActCall& x, const ActCall& y) {
+                      return x.function == y.function && SameValues(x.arguments, y.arguments);
+                    });
+}
+
+bool Holds(const std::vector<Act>& acts, const Act& act) {
+  return std::any_of(acts.begin(), acts.end(), [&](const Act& a) { return SameAct(a, act); });
+}
+
+std::span<const Value> CopyValues(std::span<const Value> values, Arena& arena) {
+  const std::span<Value> copy = arena.MakeValues(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) copy[i] = arena.Copy(values[i]);
+  return copy;
+}
+
+Act CopyAct(const Act& act, Arena& arena) {
+  auto* const calls = static_cast<ActCall*>(arena.Allocate(act.calls.size() * sizeof(ActCall)));
+  for (std::size_t i = 0; i < act.calls.size(); ++i) {
+    ::new (calls + i) ActCall{act.calls[i].function, CopyValues(act.calls[i].arguments, arena)};
+  }
+  return {act.skill, CopyValues(act.arguments, arena), {calls, act.calls.size()}};
+}
+
+}  // namespace
+
+struct Interpreter::Implementation {
+  struct Top {
+    Address entry;
+    std::vector<std::string> variables;
+  };
+  /// What was issued in one cycle, in memory of its own: it is compared with the next.
+  struct Issued {
+    Arena arena;
+    std::vector<Act> acts;
+  };
+
+  Implementation(const Program& the_program, Host& the_host, NamePool& the_names,
+                 const RunOptions& options)
+      : program(the_program),
+        host(the_host),
+        names(the_names),
+        code(Compile(program, host, names, constants, findings)),
+        machine(code, program, host, options, names, memory) {
+    for (const Value& fact : code.facts) memory.Store(fact);
+  }
+
+  void Issue() {
+    std::swap(issued[0], issued[1]);
+    Issued& now = issued[0];
+    now.arena.Reset();
+    now.acts.clear();
+    stopped.clear();
+    for (const FoundAct* found : machine.acts()) {
+      if (!Holds(now.acts, found->act)) now.acts.push_back(CopyAct(found->act, now.arena));
+    }
+    for (Act& act : now.acts) act.started = !Holds(issued[1].acts, act);
+    for (const Act& act : issued[1].acts) {
+      if (!Holds(now.acts, act)) stopped.push_back(act);
+    }
+  }
+
+  const Program& program;
+  Host& host;
+  NamePool& names;
+  Arena constants;
+  Findings findings;
+  CompiledProgram code;
+  FactStore memory;
+  Machine machine;
+  std::vector<Top> tops;
+  std::array<Issued, 2> issued;
+  std::vector<Act> stopped;
+  std::uint64_t cycle = 0;
+  CycleResult result;
+};
+
+Interpreter::Interpreter(const Program& program, Host& host, NamePool& names,
+                         const RunOptions& options)
+    : implementation_(std::make_unique<Implementation>(program, host, names, options)) {}
+
+Interpreter::~Interpreter() = default;
+
+const Findings& Interpreter::findings() const { return implementation_->findings; }
+
+std::size_t Interpreter::AddTop(std::string text, Findings& findings) {
+  Implementation& own = *implementation_;
+  const TopCall top = ReadTop(own.program, std::move(text), findings);
+  if (HasErrors(findings)) return kNoTop;
+  const Address entry =
+      CompileTop(own.program, top, own.host, own.code, own.names, own.constants, findings);
+  own.tops.push_back({entry, top.query.variables});
+  return own.tops.size() - 1;
+}
+
+std::span<const std::string> Interpreter::TopVariables(std::size_t top) const {
+  return implementation_->tops.at(top).variables;
+}
+
+const CycleResult& Interpreter::Cycle(std::size_t top) {
+  Implementation& own = *implementation_;
+  Machine& machine = own.machine;
+  own.memory.Tidy();
+  ++own.cycle;
+  const bool called = top != kNoTop;
+  const std::uint32_t variables =
+      called ? static_cast<std::uint32_t>(own.tops.at(top).variables.size()) : 0;
+  machine.Run(called ? own.tops[top].entry : 0, variables, own.cycle);
+  machine.sequences().EndCycle(own.cycle, machine.is_whole());
+  own.Issue();
+  CycleResult& result = own.result;
+  result.acts = own.issued[0].acts;
+  result.stopped = own.stopped;
+  result.environments = machine.environments();
+  result.values = machine.values();
+  result.faults = machine.faults();
+  result.fault_count = machine.fault_count();
+  result.clauses = machine.clauses();
+  result.is_whole = machine.is_whole();
+  return result;
+}
+
+std::uint64_t Interpreter::cycle() const { return implementation_->cycle; }
+FactStore& Interpreter::memory() { return implementation_->memory; }
+std::size_t Interpreter::sequence_states() const {
+  return implementation_->machine.sequences().size();
+}
+
+}  // namespace latchwork::icarus

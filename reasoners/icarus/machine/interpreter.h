@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_ICARUS_INTERPRETER_H_
+#define LATCHWORK_ICARUS_INTERPRETER_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reasoners/icarus/language/finding.h"
+#include "reasoners/icarus/language/program.h"
+#include "reasoners/icarus/machine/fact_store.h"
+#include "reasoners/icarus/machine/host.h"
+#include "reasoners/icarus/machine/value.h"
+
+namespace latchwork::icarus {
+
+/// Which acts leave a skill: the first, all, or that of the highest :value.
+enum class ActMode : std::uint8_t { kFirst, kAll, kValue };
+/// Which :means are asked: all, the first n, or the n of the highest :value.
+enum class Expansion : std::uint8_t { kAll, kFirst, kBest };
+
+struct RunOptions {
+  ActMode acts = ActMode::kFirst;
+  Expansion expansion = Expansion::kAll;
+  std::size_t means = 1;  ///< How many, with kFirst and kBest.
+  std::uint32_t max_depth = 1000;
+  std::uint64_t max_clauses = 1'000'000;  ///< Evaluated in one cycle.
+  bool lazy = true;  ///< With kFirst, stop at the first act where no sequence is in the program.
+  bool restart = false;  ///< A finished sequence starts again.
+};
+
+struct ActCall {
+  NameId function = kNoName;
+  std::span<const Value> arguments;
+};
+
+/// What the agent should do: the calls of an :action skill, all their variables bound.
+struct Act {
+  std::uint32_t skill = kNoSkill;
+  std::span<const Value> arguments;
+  std::span<const ActCall> calls;
+  bool started = false;  ///< It was not among the acts of the last cycle.
+};
+
+/// Something went wrong in a cycle; the clause at `form` was False.
+struct Fault {
+  FormId form = kNoForm;
+  bool in_top = false;  ///< `form` is of the top call, not of the program.
+  std::string message;
+  std::vector<std::string> skills;  ///< That were being asked, the innermost first.
+};
+
+/// What one cycle came to; valid until the next.
+struct CycleResult {
+  std::span<const Act> acts;      ///< To be done now.
+  std::span<const Act> stopped;   ///< Acts of the last cycle that are not among these.
+  std::size_t environments = 0;   ///< Ways in which the top call is True.
+  std::span<const Value> values;  ///< Of the variables of the top call, for each environment.
+  std::span<const Fault> faults;  ///< The first few.
+  std::size_t fault_count = 0;
+  std::uint64_t clauses = 0;  ///< Evaluated.
+  bool is_whole = true;       ///< Not ended by the first act or by the budget.
+};
+
+/// Runs a program, one cycle after the other. Within a cycle nothing is allocated once memory has
+/// grown to what the program needs, no clock is read, and nothing escapes: a mistake makes its
+/// clause False and is reported as a fault. A cycle is a function of the program, short-term
+/// memory, the states of sequences and the answers of the host. Thread rule: one thread at a time.
+/// Source: Shapiro and Langley, Controlling Physical Agents Through Reactive Logic Programming
+/// (Agents'99), section 3.
+class Interpreter {
+ public:
+  /// `program` has no errors; it, `host` and `names` outlive the interpreter.
+  Interpreter(const Program& program, Host& host, NamePool& names, const RunOptions& options);
+  ~Interpreter();
+  Interpreter(const Interpreter&) = delete;
+  Interpreter& operator=(const Interpreter&) = delete;
+
+  /// What the program calls and the host lacks. With errors, Cycle must not be called.
+  const Findings& findings() const;
+  /// Reads a top call, `(CollideWithCar car54)`, and gives it a number. With new errors in
+  /// `findings` there is no such number.
+  std::size_t AddTop(std::string text, Findings& findings);
+  /// The names of the variables of a top call, as they stand in CycleResult::values.
+  std::span<const std::string> TopVariables(std::size_t top) const;
+
+  static constexpr std::size_t kNoTop = static_cast<std::size_t>(-1);
+  /// Evaluates a top call once; kNoTop: the program is not called in this cycle.
+  const CycleResult& Cycle(std::size_t top);
+  /// Number of the last cycle; the first is 1.
+  std::uint64_t cycle() const;
+
+  /// Short-term memory, for the host to write between cycles.
+  FactStore& memory();
+  /// States of sequences that are kept.
+  std::size_t sequence_states() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace latchwork::icarus
+
+#endif  // LATCHWORK_ICARUS_INTERPRETER_H_

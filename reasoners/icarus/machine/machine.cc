@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reasoners/icarus/machine/machine.h"
+
+#include <algorithm>
+#include <new>
+
+namespace latchwork::icarus {
+
+Machine::Machine(const CompiledProgram& code, const Program& program, Host& host,
+                 const RunOptions& options, NamePool& names, FactStore& memory)
+    : code_(code),
+      program_(program),
+      host_(host),
+      options_(options),
+      names_(names),
+      memory_(memory),
+      true_(Value::Symbol(names.Intern("t"))) {}
+
+void Machine::Run(Address entry, std::uint32_t variables, std::uint64_t cycle) {
+  arena_.Reset();
+  cache_.Clear();
+  acts_.clear();
+  environment_values_.clear();
+  environments_ = 0;
+  faults_.clear();
+  fault_count_ = 0;
+  clauses_ = 0;
+  stopped_ = false;
+  trail_.clear();
+  choices_.clear();
+  scratch_.clear();
+  scopes_.assign(1, Scope());
+  frames_top_ = 0;
+  base_ = PushFrame(variables);
+  scope_ = 0;
+  pc_ = entry;
+  cycle_ = cycle;
+  top_variables_ = variables;
+  bool going = true;
+  while (going && !stopped_) {
+    going = Step(code_.instructions[pc_]) || Backtrack();
+  }
+}
+
+/// False: this way has come to its end.
+bool Machine::Step(const Instruction& instruction) {
+  switch (instruction.op) {
+    case Op::kCall:
+      return Call(instruction);
+    case Op::kTest:
+      ++clauses_;
+      clause_form_ = instruction.form;
+      ++pc_;
+      return !CallFunction(instruction.a, base_).is_none();
+    case Op::kBind:
+      return Bind(instruction);
+    case Op::kMatch:
+      return Match(instruction);
+    case Op::kNot:
+      return Negate(instruction);
+    case Op::kNotEnd:
+      scopes_[scope_].truth = true;
+      return false;
+    case Op::kObjective:
+      PushChoice(ChoiceKind::kObjective, instruction.a);
+      scopes_[scope_].in_objective = true;
+      ++pc_;
+      return true;
+    case Op::kMeans:
+      return Means(instruction);
+    case Op::kSequence:
+      return Sequence();
+    case Op::kStepEnd:
+      return StepEnd();
+    case Op::kAct:
+      return MakeAct(instruction);
+    case Op::kExit:
+      return Exit();
+    case Op::kTopEnd:
+      return TopEnd();
+    case Op::kFail:
+      return false;
+  }
+  return false;
+}
+
+Machine::Choice& Machine::PushChoice(ChoiceKind kind, Address pc) {
+  Choice choice;
+  choice.kind = kind;
+  choice.pc = pc;
+  choice.scope = scope_;
+  choice.base = base_;
+  choice.trail = static_cast<Index>(trail_.size());
+  choice.values = frames_top_;
+  choice.scopes = static_cast<Index>(scopes_.size());
+  choices_.push_back(choice);
+  return choices_.back();
+}
+
+Machine::Scope& Machine::PushScope(ScopeKind kind) {
+  Scope scope;
+  scope.kind = kind;
+  scope.parent = scope_;
+  scope.depth = scopes_[scope_].depth;
+  scopes_.push_back(scope);
+  return scopes_.back();
+}
+
+Machine::Index Machine::PushFrame(std::uint32_t variables) {
+  const Index base = frames_top_;
+  frames_top_ += variables;
+  if (frames_top_ > frames_.size()) frames_.resize(std::max<std::size_t>(2 * frames_top_, 1024));
+  std::fill(frames_.begin() + base, frames_.begin() + frames_top_, Value());
+  return base;
+}
+
+bool Machine::Backtrack() {
+  while (!choices_.empty()) {
+    const Choice choice = choices_.back();
+    while (trail_.size() > choice.trail) {
+      frames_[trail_.back()] = Value();
+      trail_.pop_back();
+    }
+    frames_top_ = choice.values;
+    scopes_.resize(choice.scopes);
+    scope_ = choice.scope;
+    base_ = choice.base;
+    if (Resume(choice)) return true;
+    if (stopped_) return false;
+  }
+  return false;
+}
+
+/// Tries what is left of the last choice; false when that led to nothing, and the choice is gone.
+bool Machine::Resume(Choice choice) {
+  if (choice.kind == ChoiceKind::kMeans) return TakeBranch(choices_.back());
+  choices_.pop_back();
+  switch (choice.kind) {
+    case ChoiceKind::kMatch:
+      pc_ = choice.pc;
+      return MatchFrom(code_.instructions[pc_], choice.fact, choice.version);
+    case ChoiceKind::kObjective:
+      scopes_[scope_].in_objective = false;
+      pc_ = choice.pc;
+      return !scopes_[scope_].any;
+    case ChoiceKind::kNotEnd: {
+      const Scope& negation = scopes_[choice.scopes - 1];
+      pc_ = choice.pc;
+      return !negation.truth && !negation.acted;
+    }
+    case ChoiceKind::kStepEnd:
+      return AfterStep(choice);
+    default:
+      return AfterCall(choice);
+  }
+}
+
+bool Machine::Call(const Instruction& instruction) {
+  ++clauses_;
+  const std::uint32_t depth = scopes_[scope_].depth + 1;
+  if (depth > options_.max_depth) {
+    Fail(instruction.form, "skills call each other deeper than the limit");
+    return false;
+  }
+  if (clauses_ > options_.max_clauses) {
+    Fail(instruction.form, "the cycle evaluates more clauses than the limit");
+    stopped_ = true;
+    return false;
+  }
+  const SkillCode& skill = code_.skills[instruction.a];
+  const Index caller = base_;
+  PushScope(ScopeKind::kSkill);
+  const auto index = static_cast<Index>(scopes_.size() - 1);
+  if (options_.acts == ActMode::kValue && skill.type != SkillType::kSensor) {
+    PushChoice(ChoiceKind::kCallEnd, pc_);
+  }
+  const Index base = PushFrame(skill.variables);
+  bool outputs = false;
+  for (std::uint32_t i = 0; i < instruction.c; ++i) {
+    const TermCode& term = code_.terms[instruction.b + i];
+    const Value value = Evaluate(term, caller);
+    outputs |= value.is_none() && term.kind != TermCode::Kind::kAnything;
+    frames_[base + i] = value;
+  }
+  Scope& scope = scopes_[index];
+  scope.outputs = outputs;
+  scope.caller_base = caller;
+  scope.call = pc_;
+  scope.skill = instruction.a;
+  scope.depth = depth;
+  scope_ = index;
+  base_ = base;
+  pc_ = skill.entry;
+  if (options_.acts == ActMode::kValue && skill.has_value) {
+    const Value value = Evaluate(code_.terms[skill.value], base);
+    scopes_[index].has_value = value.is_number();
+    scopes_[index].value = value.is_number() ? value.number() : 0;
+  }
+  return true;
+}
+
+bool Machine::Exit() {
+  Scope& scope = scopes_[scope_];
+  if (scope.in_objective) scope.any = true;
+  const Index callee = base_;
+  base_ = scope.caller_base;
+  scope_ = scope.parent;
+  pc_ = scope.call + 1;
+  if (!scope.outputs) {
+    const bool first = !scope.truth;
+    scope.truth = true;
+    return first;
+  }
+  const Instruction& call = code_.instructions[scope.call];
+  for (std::uint32_t i = 0; i < call.c; ++i) {
+    const Value value = frames_[callee + i];
+    if (!value.is_none() && !Unify(code_.terms[call.b + i], value, base_)) return false;
+  }
+  return !IsRepeated(scope, call);
+}
+
+/// Whether the call has already been True with what its arguments are bound to now.
+bool Machine::IsRepeated(Scope& scope, const Instruction& call) {
+  const std::size_t mark = scratch_.size();
+  for (std::uint32_t i = 0; i < call.c; ++i) CollectVariables(code_.terms[call.b + i], base_);
+  const std::span<const Value> values(scratch_.data() + mark, scratch_.size() - mark);
+  std::uint64_t hash = values.size();
+  for (const Value& value : values) hash = hash * 31 + Hash(value);
+  bool repeated = false;
+  for (const Seen* seen = scope.seen; seen != nullptr && !repeated; seen = seen->next) {
+    repeated = seen->hash == hash && std::equal(values.begin(), values.end(), seen->values.begin(),
+                                                seen->values.end(), Equal);
+  }
+  if (!repeated) {
+    const std::span<Value> copy = arena_.MakeValues(values.size());
+    std::copy(values.begin(), values.end(), copy.begin());
+    scope.seen = ::new (arena_.Allocate(sizeof(Seen))) Seen{hash, copy, scope.seen};
+  }
+  scratch_.resize(mark);
+  return repeated;
+}
+
+void Machine::CollectVariables(const TermCode& term, Index base) {
+  if (term.kind == TermCode::Kind::kVariable) scratch_.push_back(frames_[base + term.a]);
+  if (term.kind != TermCode::Kind::kList) return;
+  for (std::uint32_t i = 0; i < term.b; ++i) CollectVariables(code_.terms[term.a + i], base);
+}
+
+bool Machine::Match(const Instruction& instruction) {
+  ++clauses_;
+  NameId head = instruction.a;
+  if (head == kNoName) {
+    const Value value = Evaluate(code_.terms[instruction.b], base_);
+    if (value.kind == ValueKind::kSymbol) head = value.name;
+  }
+  const FactStore::Fact* const first =
+      head == kNoName ? memory_.First() : memory_.First(head, instruction.c);
+  return MatchFrom(instruction, first, memory_.version());
+}
+
+bool Machine::MatchFrom(const Instruction& instruction, const FactStore::Fact* fact,
+                        FactStore::Version version) {
+  const TermCode& head = code_.terms[instruction.b];
+  const bool in_bucket =
+      instruction.a != kNoName || Evaluate(head, base_).kind == ValueKind::kSymbol;
+  const auto mark = static_cast<Index>(trail_.size());
+  while (fact != nullptr) {
+    const FactStore::Fact* const next = in_bucket ? fact->next_in_bucket : fact->next;
+    const std::span<const Value> items = fact->value.list->items();
+    bool matches = fact->VisibleAt(version) && items.size() == instruction.c;
+    for (std::uint32_t i = 0; matches && i < instruction.c; ++i) {
+      matches = Unify(code_.terms[instruction.b + i], items[i], base_);
+    }
+    if (matches) {
+      if (next != nullptr) {
+        Choice& choice = PushChoice(ChoiceKind::kMatch, pc_);
+        choice.trail = mark;
+        choice.fact = next;
+        choice.version = version;
+      }
+      ++pc_;
+      return true;
+    }
+    while (trail_.size() > mark) {
+      frames_[trail_.back()] = Value();
+      trail_.pop_back();
+    }
+    fact = next;
+  }
+  return false;
+}
+
+bool Machine::Means(const Instruction& instruction) {
+  std::uint32_t count = instruction.b;
+  const std::uint32_t* order = nullptr;
+  if (options_.expansion != Expansion::kAll) {
+    if (options_.expansion == Expansion::kBest) order = BestMeans(instruction, count);
+    count = static_cast<std::uint32_t>(std::min<std::size_t>(count, options_.means));
+  }
+  if (count == 0) return false;
+  if (count == 1) {
+    pc_ = code_.branches[order == nullptr ? instruction.a : order[0]].address;
+    return true;
+  }
+  Choice& choice = PushChoice(ChoiceKind::kMeans, pc_);
+  choice.order = order;
+  choice.next = order == nullptr ? instruction.a : 0;
+  choice.end = choice.next + count;
+  return TakeBranch(choice);
+}
+
+bool Machine::TakeBranch(Choice& choice) {
+  const std::uint32_t branch = choice.order == nullptr ? choice.next : choice.order[choice.next];
+  pc_ = code_.branches[branch].address;
+  if (++choice.next == choice.end) choices_.pop_back();
+  return true;
+}
+
+bool Machine::Negate(const Instruction& instruction) {
+  ++clauses_;
+  PushScope(instruction.b == 1 ? ScopeKind::kNotOrActing : ScopeKind::kNot);
+  PushChoice(ChoiceKind::kNotEnd, instruction.a);
+  scope_ = static_cast<Index>(scopes_.size() - 1);
+  ++pc_;
+  return true;
+}
+
+bool Machine::TopEnd() {
+  ++environments_;
+  environment_values_.insert(environment_values_.end(), frames_.begin(),
+                             frames_.begin() + top_variables_);
+  return false;
+}
+
+}  // namespace latchwork::icarus

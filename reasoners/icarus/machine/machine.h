@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_ICARUS_MACHINE_H_
+#define LATCHWORK_ICARUS_MACHINE_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reasoners/icarus/machine/code.h"
+#include "reasoners/icarus/machine/fact_store.h"
+#include "reasoners/icarus/machine/host.h"
+#include "reasoners/icarus/machine/interpreter.h"
+#include "reasoners/icarus/machine/sensor_cache.h"
+#include "reasoners/icarus/machine/sequence_states.h"
+#include "reasoners/icarus/machine/value.h"
+
+namespace latchwork::icarus {
+
+/// An act on its way to the top.
+struct FoundAct {
+  Act act;
+  double value = 0;
+  FoundAct* next = nullptr;
+};
+
+/// Evaluates one top call: a depth-first search with explicit stacks, whose outcomes, True with
+/// bindings or an act, come in one order. Registers: the next instruction, the frame of variables
+/// that it works on, and the scope (a skill, a negation, a step) that an act found now belongs to.
+/// A choice is what is still to be tried; going back to it undoes the bindings made since.
+class Machine {
+ public:
+  Machine(const CompiledProgram& code, const Program& program, Host& host,
+          const RunOptions& options, NamePool& names, FactStore& memory);
+
+  /// Whole outcome of the call at `entry`, in `acts`, `environments` and `faults`.
+  void Run(Address entry, std::uint32_t variables, std::uint64_t cycle);
+
+  const std::vector<FoundAct*>& acts() const { return acts_; }
+  /// The values of the top call's variables, one environment after the other.
+  const std::vector<Value>& values() const { return environment_values_; }
+  std::size_t environments() const { return environments_; }
+  const std::vector<Fault>& faults() const { return faults_; }
+  std::size_t fault_count() const { return fault_count_; }
+  std::uint64_t clauses() const { return clauses_; }
+  bool is_whole() const { return !stopped_; }
+  SequenceStates& sequences() { return sequences_; }
+
+ private:
+  using Index = std::uint32_t;
+
+  enum class ScopeKind : std::uint8_t { kTop, kSkill, kNot, kNotOrActing, kStep };
+  struct Seen {
+    std::uint64_t hash;
+    std::span<const Value> values;
+    Seen* next;
+  };
+  struct Scope {
+    ScopeKind kind = ScopeKind::kTop;
+    bool outputs = false;       ///< The call may bind variables of the caller.
+    bool in_objective = false;  ///< Whatever is found now makes the objective not False.
+    bool any = false;           ///< The objective was not False.
+    bool truth = false;
+    bool acted = false;
+    bool has_value = false;
+    Index parent = 0;
+    Index caller_base = 0;
+    Address call = 0;
+    std::uint32_t skill = kNoSkill;
+    std::uint32_t depth = 0;
+    std::uint32_t state = 0;  ///< kSkill of a sequence.
+    double value = 0;
+    FoundAct* first_act = nullptr;  ///< kStep: found so far. kSkill: the best.
+    FoundAct* last_act = nullptr;
+    Seen* seen = nullptr;
+    std::span<const Value> environment;  ///< kStep: of its first True.
+  };
+  enum class ChoiceKind : std::uint8_t { kMatch, kMeans, kObjective, kNotEnd, kStepEnd, kCallEnd };
+  struct Choice {
+    ChoiceKind kind = ChoiceKind::kMatch;
+    Address pc = 0;
+    Index scope = 0;
+    Index base = 0;
+    Index trail = 0;
+    Index values = 0;
+    Index scopes = 0;
+    std::uint32_t next = 0;  ///< kMeans.
+    std::uint32_t end = 0;
+    const std::uint32_t* order = nullptr;
+    const FactStore::Fact* fact = nullptr;  ///< kMatch.
+    FactStore::Version version = 0;
+  };
+
+  // machine.cc
+  bool Step(const Instruction& instruction);
+  bool Backtrack();
+  bool Resume(Choice choice);
+  Choice& PushChoice(ChoiceKind kind, Address pc);
+  Scope& PushScope(ScopeKind kind);
+  Index PushFrame(std::uint32_t variables);
+  bool Call(const Instruction& instruction);
+  bool Exit();
+  bool IsRepeated(Scope& scope, const Instruction& call);
+  void CollectVariables(const TermCode& term, Index base);
+  bool Match(const Instruction& instruction);
+  bool MatchFrom(const Instruction& instruction, const FactStore::Fact* fact,
+                 FactStore::Version version);
+  bool Means(const Instruction& instruction);
+  bool TakeBranch(Choice& choice);
+  bool Negate(const Instruction& instruction);
+  bool TopEnd();
+
+  // machine_sequences.cc
+  bool Sequence();
+  bool StartStep();
+  bool StepEnd();
+  bool AfterStep(const Choice& choice);
+
+  // machine_acts.cc
+  bool MakeAct(const Instruction& instruction);
+  void Emit(Index index, FoundAct* act);
+  bool PassSkill(Scope& scope, FoundAct* act) const;
+  void AcceptAtTop(FoundAct* act);
+  bool AfterCall(const Choice& choice);
+  const std::uint32_t* BestMeans(const Instruction& instruction, std::uint32_t count);
+  double ValueOfBranch(const Branch& branch);
+
+  // machine_terms.cc
+  Value Evaluate(const TermCode& term, Index base);
+  Value EvaluateList(const TermCode& term, Index base);
+  bool Unify(const TermCode& term, const Value& value, Index base);
+  bool Bind(const Instruction& instruction);
+  void SetVariable(Index at, const Value& value);
+  Value CallFunction(std::uint32_t index, Index base);
+  bool PushArguments(const CallCode& call, Index base);
+  Value AskHost(const CallCode& call, std::span<const Value> arguments);
+  Value CallHost(const CallCode& call, std::span<const Value> arguments);
+  Value CallBuiltin(const CallCode& call, std::span<const Value> arguments);
+  Value Compare(Builtin builtin, const Value& a, const Value& b);
+  Value Compute(Builtin builtin, std::span<const Value> arguments);
+  Value ChangeMemory(const CallCode& call, Index base);
+  Value Truth(bool truth) const { return truth ? true_ : Value(); }
+  void Fail(FormId form, std::string_view message);
+
+  const CompiledProgram& code_;
+  const Program& program_;
+  Host& host_;
+  const RunOptions options_;
+  NamePool& names_;
+  FactStore& memory_;
+  SequenceStates sequences_;
+  SensorCache cache_;
+  Arena arena_;
+  Value true_;
+
+  std::vector<Value> frames_;
+  Index frames_top_ = 0;
+  std::vector<Index> trail_;
+  std::vector<Scope> scopes_;
+  std::vector<Choice> choices_;
+  std::vector<Value> scratch_;
+  Address pc_ = 0;
+  Index base_ = 0;
+  Index scope_ = 0;
+  std::uint64_t cycle_ = 0;
+  std::uint64_t clauses_ = 0;
+  bool stopped_ = false;
+  std::uint32_t top_variables_ = 0;
+
+  std::vector<FoundAct*> acts_;
+  std::vector<Value> environment_values_;
+  std::size_t environments_ = 0;
+  std::vector<Fault> faults_;
+  std::size_t fault_count_ = 0;
+  FormId clause_form_ = kNoForm;
+};
+
+}  // namespace latchwork::icarus
+
+#endif  // LATCHWORK_ICARUS_MACHINE_H_

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <limits>
+#include <new>
+
+#include "reasoners/icarus/machine/machine.h"
+
+namespace latchwork::icarus {
+
+namespace {
+
+constexpr double kNoValue = -std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+bool Machine::MakeAct(const Instruction& instruction) {
+  const Scope& scope = scopes_[scope_];
+  auto* const calls = static_cast<ActCall*>(arena_.Allocate(instruction.b * sizeof(ActCall)));
+  for (std::uint32_t i = 0; i < instruction.b; ++i) {
+    const CallCode& call = code_.calls[instruction.a + i];
+    const std::size_t mark = scratch_.size();
+    if (!PushArguments(call, base_)) return false;
+    const std::span<Value> arguments = arena_.MakeValues(call.count);
+    std::copy(scratch_.begin() + static_cast<std::ptrdiff_t>(mark), scratch_.end(),
+              arguments.begin());
+    scratch_.resize(mark);
+    ::new (calls + i) ActCall{call.name, arguments};
+  }
+  const std::uint32_t parameters = code_.skills[scope.skill].parameters;
+  const std::span<Value> arguments = arena_.MakeValues(parameters);
+  std::copy_n(frames_.begin() + base_, parameters, arguments.begin());
+  auto* const found = ::new (arena_.Allocate(sizeof(FoundAct))) FoundAct;
+  found->act = {scope.skill, arguments, {calls, instruction.b}};
+  found->value = kNoValue;
+  Emit(scope_, found);
+  return false;
+}
+
+/// An act leaves one scope after the other until one keeps it.
+void Machine::Emit(Index index, FoundAct* act) {
+  for (;; index = scopes_[index].parent) {
+    Scope& scope = scopes_[index];
+    switch (scope.kind) {
+      case ScopeKind::kTop:
+        AcceptAtTop(act);
+        return;
+      case ScopeKind::kSkill:
+        if (!PassSkill(scope, act)) return;
+        break;
+      case ScopeKind::kNot:
+        scope.acted = true;
+        break;
+      case ScopeKind::kNotOrActing:
+        scope.acted = true;
+        return;
+      case ScopeKind::kStep:
+        act->next = nullptr;
+        (scope.first_act == nullptr ? scope.first_act : scope.last_act->next) = act;
+        scope.last_act = act;
+        return;
+    }
+  }
+}
+
+bool Machine::PassSkill(Scope& scope, FoundAct* act) const {
+  if (scope.in_objective) scope.any = true;
+  switch (options_.acts) {
+    case ActMode::kAll:
+      return true;
+    case ActMode::kFirst: {
+      const bool first = !scope.acted;
+      scope.acted = true;
+      return first;
+    }
+    case ActMode::kValue:
+      break;
+  }
+  if (scope.has_value) act->value = scope.value;
+  if (scope.first_act == nullptr || act->value > scope.first_act->value) scope.first_act = act;
+  return false;
+}
+
+void Machine::AcceptAtTop(FoundAct* act) {
+  if (options_.acts == ActMode::kAll || acts_.empty()) {
+    acts_.push_back(act);
+  } else if (options_.acts == ActMode::kValue && act->value > acts_[0]->value) {
+    acts_[0] = act;
+  }
+  if (options_.acts == ActMode::kFirst && options_.lazy && !code_.has_sequences) stopped_ = true;
+}
+
+/// The call has come to its end: its best act goes on.
+bool Machine::AfterCall(const Choice& choice) {
+  FoundAct* const best = scopes_[choice.scopes - 1].first_act;
+  if (best != nullptr) Emit(scope_, best);
+  return false;
+}
+
+double Machine::ValueOfBranch(const Branch& branch) {
+  if (branch.skill == kNoSkill || !code_.skills[branch.skill].has_value) return kNoValue;
+  const SkillCode& skill = code_.skills[branch.skill];
+  const Index top = frames_top_;
+  const Index base = PushFrame(skill.variables);
+  for (std::uint32_t i = 0; i < branch.count; ++i) {
+    const Value argument = Evaluate(code_.terms[branch.first + i], base_);
+    frames_[base + i] = argument;
+  }
+  const Value value = Evaluate(code_.terms[skill.value], base);
+  frames_top_ = top;
+  return value.is_number() ? value.number() : kNoValue;
+}
+
+/// All means by value, the highest first; equals in the order of the program.
+const std::uint32_t* Machine::BestMeans(const Instruction& instruction, std::uint32_t count) {
+  auto* const values = static_cast<double*>(arena_.Allocate(count * sizeof(double)));
+  auto* const order = static_cast<std::uint32_t*>(arena_.Allocate(count * sizeof(std::uint32_t)));
+  for (std::uint32_t i = 0; i < count; ++i) {
+    values[i] = ValueOfBranch(code_.branches[instruction.a + i]);
+    std::uint32_t at = i;
+    for (; at > 0 && values[order[at - 1] - instruction.a] < values[i]; --at) {
+      order[at] = order[at - 1];
+    }
+    order[at] = instruction.a + i;
+  }
+  return order;
+}
+
+}  // namespace latchwork::icarus

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <string>
+
+#include "reasoners/icarus/machine/machine.h"
+
+namespace latchwork::icarus {
+
+namespace {
+
+constexpr std::size_t kMostFaults = 16;
+constexpr std::string_view kTooLarge = "the list is too deep or too large";
+
+bool Overflows(Builtin builtin, std::int64_t a, std::int64_t b, std::int64_t& result) {
+  switch (builtin) {
+    case Builtin::kAdd:
+      return __builtin_add_overflow(a, b, &result);
+    case Builtin::kSubtract:
+      return __builtin_sub_overflow(a, b, &result);
+    default:
+      return __builtin_mul_overflow(a, b, &result);
+  }
+}
+
+double Apply(Builtin builtin, double a, double b) {
+  switch (builtin) {
+    case Builtin::kAdd:
+      return a + b;
+    case Builtin::kSubtract:
+      return a - b;
+    case Builtin::kMultiply:
+      return a * b;
+    default:
+      return a / b;
+  }
+}
+
+}  // namespace
+
+/// The value; none when a variable of it is unbound, or a call of it False.
+Value Machine::Evaluate(const TermCode& term, Index base) {
+  switch (term.kind) {
+    case TermCode::Kind::kValue:
+      return term.value;
+    case TermCode::Kind::kVariable:
+      return frames_[base + term.a];
+    case TermCode::Kind::kAnything:
+      return {};
+    case TermCode::Kind::kList:
+      return EvaluateList(term, base);
+    case TermCode::Kind::kCall:
+      return CallFunction(term.a, base);
+    case TermCode::Kind::kCycle:
+      return Value::Integer(static_cast<std::int64_t>(cycle_));
+  }
+  return {};
+}
+
+Value Machine::EvaluateList(const TermCode& term, Index base) {
+  const std::size_t mark = scratch_.size();
+  bool ground = true;
+  for (std::uint32_t i = 0; ground && i < term.b; ++i) {
+    const Value item = Evaluate(code_.terms[term.a + i], base);
+    ground = !item.is_none();
+    scratch_.push_back(item);
+  }
+  Value list;
+  if (ground) {
+    list = arena_.MakeList({scratch_.data() + mark, scratch_.size() - mark});
+    if (list.is_none()) Fail(clause_form_, kTooLarge);
+  }
+  scratch_.resize(mark);
+  return list;
+}
+
+void Machine::SetVariable(Index at, const Value& value) {
+  frames_[at] = value;
+  trail_.push_back(at);
+}
+
+bool Machine::Unify(const TermCode& term, const Value& value, Index base) {
+  switch (term.kind) {
+    case TermCode::Kind::kValue:
+      return Equal(term.value, value);
+    case TermCode::Kind::kVariable:
+      if (!frames_[base + term.a].is_none()) return Equal(frames_[base + term.a], value);
+      SetVariable(base + term.a, value);
+      return true;
+    case TermCode::Kind::kAnything:
+      return true;
+    case TermCode::Kind::kList: {
+      if (value.kind != ValueKind::kList || value.list->size != term.b) return false;
+      const std::span<const Value> items = value.list->items();
+      for (std::uint32_t i = 0; i < term.b; ++i) {
+        if (!Unify(code_.terms[term.a + i], items[i], base)) return false;
+      }
+      return true;
+    }
+    default: {
+      const Value own = Evaluate(term, base);
+      return !own.is_none() && Equal(own, value);
+    }
+  }
+}
+
+bool Machine::Bind(const Instruction& instruction) {
+  ++clauses_;
+  clause_form_ = instruction.form;
+  ++pc_;
+  const TermCode& term = code_.terms[instruction.b];
+  const Value value = frames_[base_ + instruction.a];
+  if (!value.is_none()) return Unify(term, value, base_);
+  const Value bound = Evaluate(term, base_);
+  if (bound.is_none()) {
+    if (term.kind != TermCode::Kind::kCall) {
+      Fail(instruction.form, "nothing to bind the variable to");
+    }
+    return false;
+  }
+  SetVariable(base_ + instruction.a, bound);
+  return true;
+}
+
+/// Appends the arguments to `scratch_`; false, and nothing appended, when one has no value.
+bool Machine::PushArguments(const CallCode& call, Index base) {
+  const std::size_t mark = scratch_.size();
+  for (std::uint32_t i = 0; i < call.count; ++i) {
+    const TermCode& term = code_.terms[call.first + i];
+    const Value value = Evaluate(term, base);
+    if (value.is_none()) {
+      if (term.kind != TermCode::Kind::kCall) {
+        Fail(call.form, "an argument of the call has an unbound variable");
+      }
+      scratch_.resize(mark);
+      return false;
+    }
+    scratch_.push_back(value);
+  }
+  return true;
+}
+
+Value Machine::CallFunction(std::uint32_t index, Index base) {
+  const CallCode& call = code_.calls[index];
+  const auto builtin = static_cast<Builtin>(call.function);
+  if (call.builtin && (builtin == Builtin::kForget || builtin == Builtin::kUpdate)) {
+    return ChangeMemory(call, base);
+  }
+  const std::size_t mark = scratch_.size();
+  if (!PushArguments(call, base)) return {};
+  const std::span<const Value> arguments(scratch_.data() + mark, call.count);
+  const Value answer = call.builtin ? CallBuiltin(call, arguments) : CallHost(call, arguments);
+  scratch_.resize(mark);
+  return answer;
+}
+
+Value Machine::AskHost(const CallCode& call, std::span<const Value> arguments) {
+  try {
+    return host_.Call(call.function, arguments, arena_, names_);
+  } catch (const std::exception& error) {
+    Fail(call.form, "{" + std::string(names_.Name(call.name)) + "}: " + error.what());
+  } catch (...) {
+    Fail(call.form, "{" + std::string(names_.Name(call.name)) + "} failed");
+  }
+  return {};
+}
+
+Value Machine::CallHost(const CallCode& call, std::span<const Value> arguments) {
+  const bool cached = !host_.functions()[call.function].changes_memory;
+  if (cached) {
+    const Value* const known = cache_.Find(call.function, arguments);
+    if (known != nullptr) return *known;
+  }
+  const Value answer = AskHost(call, arguments);
+  if (cached) {
+    const std::span<Value> copy = arena_.MakeValues(arguments.size());
+    std::copy(arguments.begin(), arguments.end(), copy.begin());
+    cache_.Keep(call.function, copy, answer);
+  }
+  return answer;
+}
+
+Value Machine::CallBuiltin(const CallCode& call, std::span<const Value> arguments) {
+  const auto builtin = static_cast<Builtin>(call.function);
+  switch (builtin) {
+    case Builtin::kList: {
+      const Value list = arena_.MakeList(arguments);
+      if (list.is_none()) Fail(call.form, kTooLarge);
+      return list;
+    }
+    case Builtin::kMember: {
+      if (arguments[1].kind != ValueKind::kList) break;
+      const auto items = arguments[1].list->items();
+      return Truth(std::any_of(items.begin(), items.end(),
+                               [&](const Value& v) { return Equal(v, arguments[0]); }));
+    }
+    case Builtin::kStore:
+      if (arguments[0].kind != ValueKind::kList) break;
+      if (!memory_.Store(arguments[0])) Fail(call.form, "memory is full");
+      return true_;
+    case Builtin::kEqual:
+    case Builtin::kDiffers:
+      return Compare(builtin, arguments[0], arguments[1]);
+    default:
+      if (!std::all_of(arguments.begin(), arguments.end(),
+                       [](const Value& v) { return v.is_number(); })) {
+        break;
+      }
+      if (builtin <= Builtin::kGreaterEqual) return Compare(builtin, arguments[0], arguments[1]);
+      const Value result = Compute(builtin, arguments);
+      if (result.is_none()) Fail(call.form, "the result is no number");
+      return result;
+  }
+  Fail(call.form, "{" + std::string(names_.Name(call.name)) + "} is given a value of another type");
+  return {};
+}
+
+Value Machine::Compare(Builtin builtin, const Value& a, const Value& b) {
+  const bool numbers = a.is_number() && b.is_number();
+  const bool equal = numbers ? a.number() == b.number() : Equal(a, b);
+  switch (builtin) {
+    case Builtin::kEqual:
+      return Truth(equal);
+    case Builtin::kDiffers:
+      return Truth(!equal);
+    case Builtin::kLess:
+      return Truth(a.number() < b.number());
+    case Builtin::kLessEqual:
+      return Truth(a.number() <= b.number());
+    case Builtin::kGreater:
+      return Truth(a.number() > b.number());
+    default:
+      return Truth(a.number() >= b.number());
+  }
+}
+
+/// Integers stay integers while they fit, but for quotients.
+Value Machine::Compute(Builtin builtin, std::span<const Value> arguments) {
+  if (builtin == Builtin::kAbs) {
+    const Value& a = arguments[0];
+    if (a.kind == ValueKind::kReal) return Value::Real(std::fabs(a.real));
+    if (a.integer == std::numeric_limits<std::int64_t>::min()) return Value::Real(-a.number());
+    return Value::Integer(a.integer < 0 ? -a.integer : a.integer);
+  }
+  Value result = arguments[0];
+  if (arguments.size() == 1 && builtin == Builtin::kSubtract) {
+    const std::array<Value, 2> negated = {Value::Integer(0), result};
+    return Compute(builtin, negated);
+  }
+  for (const Value& next : arguments.subspan(1)) {
+    std::int64_t whole = 0;
+    const bool integers = result.kind == ValueKind::kInteger && next.kind == ValueKind::kInteger;
+    if (integers && builtin != Builtin::kDivide &&
+        !Overflows(builtin, result.integer, next.integer, whole)) {
+      result = Value::Integer(whole);
+    } else {
+      const double real = Apply(builtin, result.number(), next.number());
+      if (!std::isfinite(real)) return {};
+      result = Value::Real(real);
+    }
+  }
+  return result;
+}
+
+/// {forget pattern} and {update pattern e}: what unifies with the pattern, by itself, goes.
+Value Machine::ChangeMemory(const CallCode& call, Index base) {
+  const TermCode& pattern = code_.terms[call.first];
+  Value fresh;
+  if (call.count == 2) {
+    fresh = Evaluate(code_.terms[call.first + 1], base);
+    if (fresh.kind != ValueKind::kList) {
+      Fail(call.form, "what memory is updated with is not a list without unbound variables");
+      return {};
+    }
+  }
+  const FactStore::Version version = memory_.version();
+  const std::size_t mark = trail_.size();
+  bool placed = fresh.is_none();
+  for (const FactStore::Fact* fact = memory_.First(); fact != nullptr; fact = fact->next) {
+    if (!fact->VisibleAt(version)) continue;
+    const bool matches = Unify(pattern, fact->value, base);
+    while (trail_.size() > mark) {
+      frames_[trail_.back()] = Value();
+      trail_.pop_back();
+    }
+    if (!matches) continue;
+    if (placed) {
+      if (fresh.is_none() || !Equal(fact->value, fresh)) memory_.Remove(fact);
+    } else {
+      memory_.Replace(fact, fresh);
+      placed = true;
+    }
+  }
+  if (!placed && !memory_.Store(fresh)) Fail(call.form, "memory is full");
+  return true_;
+}
+
+void Machine::Fail(FormId form, std::string_view message) {
+  ++fault_count_;
+  const bool known = std::any_of(faults_.begin(), faults_.end(), [&](const Fault& fault) {
+    return fault.form == form && fault.message == message;
+  });
+  if (known || faults_.size() == kMostFaults) return;
+  Fault fault;
+  fault.form = form;
+  fault.message = message;
+  Index scope = scope_;
+  while (scope != 0 && scopes_[scope].kind != ScopeKind::kSkill) scope = scopes_[scope].parent;
+  fault.in_top = scope == 0;
+  for (; scope != 0 && fault.skills.size() < kMostFaults; scope = scopes_[scope].parent) {
+    const Scope& at = scopes_[scope];
+    if (at.kind == ScopeKind::kSkill) fault.skills.push_back(program_.skills[at.skill].spelling);
+  }
+  faults_.push_back(std::move(fault));
+}
+
+}  // namespace latchwork::icarus

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reasoners/icarus/machine/sequence_states.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace latchwork::icarus {
+
+std::size_t SequenceStates::Find(std::uint32_t skill, std::span<const Value> parameters,
+                                 std::uint64_t cycle) {
+  const auto found = std::find_if(states_.begin(), states_.end(), [&](const auto& state) {
+    return state->skill == skill && std::equal(state->key.begin(), state->key.end(),
+                                               parameters.begin(), parameters.end(), Equal);
+  });
+  const auto index = static_cast<std::size_t>(found - states_.begin());
+  if (found == states_.end()) {
+    if (free_.empty()) free_.push_back(std::make_unique<State>());
+    states_.push_back(std::move(free_.back()));
+    free_.pop_back();
+    State& state = *states_.back();
+    state.skill = skill;
+    state.step = 0;
+    state.changed = true;
+    state.key.assign(parameters.begin(), parameters.end());
+    state.environment.clear();
+  }
+  states_[index]->touched = cycle;
+  return index;
+}
+
+bool SequenceStates::WasCalled(std::uint32_t skill, std::uint64_t cycle) const {
+  return std::any_of(states_.begin(), states_.end(), [&](const auto& state) {
+    return state != nullptr && state->skill == skill && state->touched == cycle;
+  });
+}
+
+void SequenceStates::EndCycle(std::uint64_t cycle, bool is_whole) {
+  std::size_t kept = 0;
+  for (auto& slot : states_) {
+    State& state = *slot;
+    if (is_whole && state.touched != cycle && WasCalled(state.skill, cycle)) {
+      state.arena.Reset();
+      free_.push_back(std::move(slot));
+    } else if (state.changed) {
+      Keep(state);
+    }
+  }
+  for (auto& state : states_) {
+    if (state != nullptr) std::swap(states_[kept++], state);
+  }
+  states_.resize(kept);
+}
+
+void SequenceStates::Keep(State& state) {
+  state.other.Reset();
+  for (Value& value : state.key) value = state.other.Copy(value);
+  for (Value& value : state.environment) value = state.other.Copy(value);
+  std::swap(state.arena, state.other);
+  state.changed = false;
+}
+
+}  // namespace latchwork::icarus

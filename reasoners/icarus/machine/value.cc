@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reasoners/icarus/machine/value.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <new>
+#include <type_traits>
+
+namespace latchwork::icarus {
+
+namespace {
+
+static_assert(sizeof(Value) == 16 && sizeof(ListValue) % alignof(Value) == 0);
+static_assert(std::is_trivially_destructible_v<Value>);
+
+std::uint64_t Mix(std::uint64_t hash, std::uint64_t word) {
+  hash = (hash ^ word) * 0x9e3779b97f4a7c15ULL;
+  return hash ^ (hash >> 29U);
+}
+
+template <typename Number>
+void AppendNumber(std::string& text, Number number) {
+  std::array<char, 40> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
+  const std::string_view digits(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+  text += digits;
+  if constexpr (std::is_floating_point_v<Number>) {
+    if (digits.find_first_of(".en") == std::string_view::npos) text += ".0";
+  }
+}
+
+void AppendString(std::string& text, std::string_view string) {
+  text += '"';
+  for (const char c : string) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  text += '"';
+}
+
+void Append(std::string& text, const Value& value, const NamePool& names) {
+  switch (value.kind) {
+    case ValueKind::kNone:
+      text += '?';
+      break;
+    case ValueKind::kInteger:
+      AppendNumber(text, value.integer);
+      break;
+    case ValueKind::kReal:
+      AppendNumber(text, value.real);
+      break;
+    case ValueKind::kSymbol:
+      text += names.Name(value.name);
+      break;
+    case ValueKind::kString:
+      AppendString(text, names.Name(value.name));
+      break;
+    case ValueKind::kList:
+      text += '(';
+      for (const Value& item : value.list->items()) {
+        if (text.back() != '(') text += ' ';
+        Append(text, item, names);
+      }
+      text += ')';
+  }
+}
+
+}  // namespace
+
+NameId NamePool::Intern(std::string_view name) {
+  const auto known = ids_.find(name);
+  if (known != ids_.end()) return known->second;
+  const auto id = static_cast<NameId>(names_.size());
+  names_.emplace_back(ids_.emplace(std::string(name), id).first->first);
+  return id;
+}
+
+Value Value::Integer(std::int64_t value) {
+  Value made;
+  made.kind = ValueKind::kInteger;
+  made.integer = value;
+  return made;
+}
+
+Value Value::Real(double value) {
+  Value made;
+  made.kind = ValueKind::kReal;
+  made.real = value == 0 ? 0.0 : value;
+  return made;
+}
+
+Value Value::Symbol(NameId name) {
+  Value made;
+  made.kind = ValueKind::kSymbol;
+  made.name = name;
+  return made;
+}
+
+Value Value::String(NameId name) {
+  Value made = Symbol(name);
+  made.kind = ValueKind::kString;
+  return made;
+}
+
+std::uint64_t Hash(const Value& value) {
+  const auto kind = static_cast<std::uint64_t>(value.kind);
+  switch (value.kind) {
+    case ValueKind::kInteger:
+      return Mix(kind, static_cast<std::uint64_t>(value.integer));
+    case ValueKind::kReal:
+      return Mix(kind, std::bit_cast<std::uint64_t>(value.real));
+    case ValueKind::kList:
+      return value.list->hash;
+    default:
+      return Mix(kind, value.name);
+  }
+}
+
+bool Equal(const Value& a, const Value& b) {
+  if (a.kind != b.kind) return false;
+  switch (a.kind) {
+    case ValueKind::kNone:
+      return true;
+    case ValueKind::kInteger:
+      return a.integer == b.integer;
+    case ValueKind::kReal:
+      return std::bit_cast<std::uint64_t>(a.real) == std::bit_cast<std::uint64_t>(b.real);
+    case ValueKind::kSymbol:
+    case ValueKind::kString:
+      return a.name == b.name;
+    case ValueKind::kList:
+      break;
+  }
+  if (a.list == b.list) return true;
+  if (a.list->hash != b.list->hash || a.list->nodes != b.list->nodes) return false;
+  const auto left = a.list->items();
+  const auto right = b.list->items();
+  return std::equal(left.begin(), left.end(), right.begin(), right.end(), Equal);
+}
+
+std::string ToString(const Value& value, const NamePool& names) {
+  std::string text;
+  Append(text, value, names);
+  return text;
+}
+
+void* Arena::Allocate(std::size_t bytes) {
+  bytes = (bytes + alignof(Value) - 1) / alignof(Value) * alignof(Value);
+  while (block_ < blocks_.size() && used_ + bytes > blocks_[block_].size()) {
+    ++block_;
+    used_ = 0;
+  }
+  if (block_ == blocks_.size()) {
+    blocks_.emplace_back(std::max(bytes, block_bytes_));
+    used_ = 0;
+  }
+  std::byte* const memory = blocks_[block_].data() + used_;
+  used_ += bytes;
+  return memory;
+}
+
+void Arena::Reset() {
+  block_ = 0;
+  used_ = 0;
+}
+
+std::span<Value> Arena::MakeValues(std::size_t count) {
+  auto* const values = static_cast<Value*>(Allocate(count * sizeof(Value)));
+  for (std::size_t i = 0; i < count; ++i) ::new (values + i) Value();
+  return {values, count};
+}
+
+Value Arena::MakeList(std::span<const Value> items) {
+  std::uint32_t nodes = 1;
+  std::uint32_t depth = 0;
+  std::uint64_t hash = Mix(static_cast<std::uint64_t>(ValueKind::kList), items.size());
+  for (const Value& item : items) {
+    const bool list = item.kind == ValueKind::kList;
+    nodes += list ? item.list->nodes : 1;
+    depth = std::max(depth, list ? item.list->depth : 0);
+    hash = Mix(hash, Hash(item));
+    if (nodes > kMaxListNodes || depth >= kMaxListDepth) return {};
+  }
+  void* const memory = Allocate(sizeof(ListValue) + items.size() * sizeof(Value));
+  auto* const list =
+      ::new (memory) ListValue{static_cast<std::uint32_t>(items.size()), nodes, depth + 1, hash};
+  auto* const copy = reinterpret_cast<Value*>(list + 1);
+  for (std::size_t i = 0; i < items.size(); ++i) ::new (copy + i) Value(items[i]);
+  Value made;
+  made.kind = ValueKind::kList;
+  made.list = list;
+  return made;
+}
+
+Value Arena::Copy(const Value& value) {
+  if (value.kind != ValueKind::kList) return value;
+  Value copy = MakeList(value.list->items());
+  auto* const items = reinterpret_cast<Value*>(const_cast<ListValue*>(copy.list) + 1);
+  for (std::uint32_t i = 0; i < copy.list->size; ++i) items[i] = Copy(items[i]);
+  return copy;
+}
+
+}  // namespace latchwork::icarus

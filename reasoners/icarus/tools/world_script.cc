@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reasoners/icarus/tools/world_script.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "reasoners/icarus/language/reader.h"
+
+namespace latchwork::icarus {
+
+namespace {
+
+constexpr std::int64_t kMostRepeats = 1'000'000;
+
+class ScriptReader {
+ public:
+  ScriptReader(const SourceTree& tree, NamePool& names, Findings& findings, WorldScript& script)
+      : tree_(tree), names_(names), reporter_(tree, findings), script_(script) {}
+
+  void Read() {
+    for (const FormId root : tree_.roots) {
+      const std::vector<FormId> parts = Parts(root);
+      const std::string head = Head(root, parts);
+      if (head == "top" && parts.size() == 2) {
+        script_.top = tree_.Text(parts[1]);
+      } else if (head == "functions") {
+        for (std::size_t i = 1; i < parts.size(); ++i) Function(tree_.Folded(parts[i]), kAnyNumber);
+      } else if (head == "cycle") {
+        AddCycle(root, parts);
+      } else {
+        Complain(root, "this is no part of a script");
+      }
+    }
+  }
+
+ private:
+  std::vector<FormId> Parts(FormId form) const {
+    return tree_.kind(form) == FormKind::kList ? tree_.Children(form) : std::vector<FormId>();
+  }
+
+  std::string Head(FormId form, const std::vector<FormId>& parts) const {
+    const bool named = !parts.empty() && tree_.kind(parts[0]) == FormKind::kSymbol &&
+                       tree_.kind(form) == FormKind::kList;
+    return named ? tree_.Folded(parts[0]) : std::string();
+  }
+
+  void Complain(FormId form, std::string message) {
+    reporter_.Add(Code::kScript, form, std::move(message),
+                  std::string(Info(Code::kScript).explanation));
+  }
+
+  /// `count` arguments were seen, or any number may be.
+  std::size_t Function(const std::string& name, std::size_t count) {
+    auto& known = script_.functions;
+    const auto found = std::find_if(known.begin(), known.end(),
+                                    [&](const Signature& s) { return s.name == name; });
+    if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+    script_.names.push_back(name);
+    Signature signature;
+    signature.name = script_.names.back();
+    if (count != kAnyNumber) signature.least = signature.most = count;
+    known.push_back(signature);
+    return known.size() - 1;
+  }
+
+  void AddCycle(FormId root, const std::vector<FormId>& parts) {
+    ScriptCycle cycle;
+    cycle.line = tree_.at(root).line;
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+      if (!AddItem(cycle, parts[i])) Complain(parts[i], "this is no item of a cycle");
+    }
+    script_.cycles.push_back(std::move(cycle));
+  }
+
+  bool AddItem(ScriptCycle& cycle, FormId form) {
+    const std::vector<FormId> parts = Parts(form);
+    const std::string head = Head(form, parts);
+    if (head == "expect") return AddExpectation(cycle, parts);
+    if (head == "idle" && parts.size() == 1) return cycle.idle = true;
+    if (head == "answer" && parts.size() == 3) return AddAnswer(cycle, parts);
+    if (parts.size() != 2) return false;
+    const FormKind kind = tree_.kind(parts[1]);
+    if (head == "top") {
+      cycle.top = std::string(tree_.Text(parts[1]));
+      return kind == FormKind::kList;
+    }
+    if (head == "repeat" && kind == FormKind::kInteger) {
+      cycle.repeat = tree_.at(parts[1]).integer;
+      return cycle.repeat >= 1 && cycle.repeat <= kMostRepeats;
+    }
+    if (kind != FormKind::kList || (head != "store" && head != "forget")) return false;
+    const Value list = MakeValue(parts[1]);
+    if (list.is_none()) return false;
+    (head == "store" ? cycle.stored : cycle.forgotten).push_back(list);
+    return head == "forget" || IsGround(parts[1]);
+  }
+
+  bool AddAnswer(ScriptCycle& cycle, const std::vector<FormId>& parts) {
+    const FormId call = parts[1];
+    if (tree_.kind(call) != FormKind::kCall || tree_.at(call).first_child == kNoForm ||
+        !IsGround(parts[2])) {
+      return false;
+    }
+    const std::vector<FormId> words = tree_.Children(call);
+    ScriptAnswer answer;
+    answer.function = Function(tree_.Folded(words[0]), words.size() - 1);
+    for (std::size_t i = 1; i < words.size(); ++i) answer.arguments.push_back(MakeValue(words[i]));
+    if (tree_.Folded(parts[2]) != "nil") answer.answer = MakeValue(parts[2]);
+    cycle.answers.push_back(std::move(answer));
+    return true;
+  }
+
+  bool AddExpectation(ScriptCycle& cycle, const std::vector<FormId>& parts) {
+    cycle.expected.emplace();
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+      const bool call = tree_.kind(parts[i]) == FormKind::kCall;
+      std::string text = call ? CallText(parts[i]) : tree_.Folded(parts[i]);
+      if (!call && text != "true" && text != "false" && text != "fault") return false;
+      cycle.expected->push_back(std::move(text));
+    }
+    return true;
+  }
+
+  std::string CallText(FormId call) {
+    std::string text = "{";
+    for (const FormId word : tree_.Children(call)) {
+      if (text.size() > 1) text += ' ';
+      text += ToString(MakeValue(word), names_);
+    }
+    return text + '}';
+  }
+
+  bool IsGround(FormId form) const {
+    const FormKind kind = tree_.kind(form);
+    if (kind == FormKind::kVariable || kind == FormKind::kCall) return false;
+    const std::vector<FormId> parts = Parts(form);
+    return std::all_of(parts.begin(), parts.end(), [this](FormId f) { return IsGround(f); });
+  }
+
+  Value MakeValue(FormId form) {
+    const Form& at = tree_.at(form);
+    switch (at.kind) {
+      case FormKind::kInteger:
+        return Value::Integer(at.integer);
+      case FormKind::kReal:
+        return Value::Real(at.real);
+      case FormKind::kString:
+        return Value::String(names_.Intern(tree_.Unquoted(form)));
+      case FormKind::kVariable:
+        return {};
+      case FormKind::kList: {
+        std::vector<Value> items;
+        for (const FormId part : Parts(form)) items.push_back(MakeValue(part));
+        return script_.arena.MakeList(items);
+      }
+      case FormKind::kCall:
+        Complain(form, "a call cannot stand here");
+        return {};
+      default:
+        return Value::Symbol(names_.Intern(tree_.Folded(form)));
+    }
+  }
+
+  const SourceTree& tree_;
+  NamePool& names_;
+  Reporter reporter_;
+  WorldScript& script_;
+};
+
+bool Fits(const Value& pattern, const Value& value) {
+  if (pattern.is_none()) return true;
+  if (pattern.kind != ValueKind::kList || value.kind != ValueKind::kList) {
+    return Equal(pattern, value);
+  }
+  const auto left = pattern.list->items();
+  const auto right = value.list->items();
+  return std::equal(left.begin(), left.end(), right.begin(), right.end(), Fits);
+}
+
+}  // namespace
+
+WorldScript ReadScript(std::string text, std::string file, NamePool& names, Findings& findings) {
+  WorldScript script;
+  const SourceTree tree = ReadForms(std::move(text), std::move(file), findings);
+  ScriptReader(tree, names, findings, script).Read();
+  return script;
+}
+
+Value ScriptedWorld::Call(std::size_t function, std::span<const Value> arguments, Arena& /*arena*/,
+                          NamePool& /*names*/) {
+  const auto last =
+      std::find_if(answers_.rbegin(), answers_.rend(), [&](const ScriptAnswer* answer) {
+        const std::vector<Value>& patterns = answer->arguments;
+        return answer->function == function && std::equal(patterns.begin(), patterns.end(),
+                                                          arguments.begin(), arguments.end(), Fits);
+      });
+  return last == answers_.rend() ? Value() : (*last)->answer;
+}
+
+void ScriptedWorld::Begin(const ScriptCycle& cycle, FactStore& memory) {
+  for (const ScriptAnswer& answer : cycle.answers) {
+    std::erase_if(answers_, [&](const ScriptAnswer* old) {
+      return old->function == answer.function &&
+             std::equal(old->arguments.begin(), old->arguments.end(), answer.arguments.begin(),
+                        answer.arguments.end(), Equal);
+    });
+    answers_.push_back(&answer);
+  }
+  for (const Value& pattern : cycle.forgotten) {
+    for (const FactStore::Fact* fact = memory.First(); fact != nullptr; fact = fact->next) {
+      if (fact->died == 0 && Fits(pattern, fact->value)) memory.Remove(fact);
+    }
+  }
+  for (const Value& fact : cycle.stored) memory.Store(fact);
+}
+
+std::string ToString(const Act& act, const NamePool& names) {
+  std::string text;
+  for (const ActCall& call : act.calls) {
+    text += '{' + std::string(names.Name(call.function));
+    for (const Value& argument : call.arguments) text += ' ' + ToString(argument, names);
+    text += '}';
+  }
+  return text;
+}
+
+std::vector<std::string> Outcome(const CycleResult& result, const NamePool& names) {
+  std::vector<std::string> outcome;
+  for (const Act& act : result.acts) outcome.push_back(ToString(act, names));
+  if (result.environments > 0) outcome.emplace_back("true");
+  if (outcome.empty()) outcome.emplace_back("false");
+  if (result.fault_count > 0) outcome.emplace_back("fault");
+  return outcome;
+}
+
+bool Meets(const std::vector<std::string>& outcome, const std::vector<std::string>& expected) {
+  const auto is_act = [](const std::string& word) { return word[0] == '{'; };
+  std::vector<std::string> acts;
+  std::vector<std::string> wanted;
+  std::copy_if(outcome.begin(), outcome.end(), std::back_inserter(acts), is_act);
+  std::copy_if(expected.begin(), expected.end(), std::back_inserter(wanted), is_act);
+  return acts == wanted && std::all_of(expected.begin(), expected.end(), [&](const auto& word) {
+           return std::find(outcome.begin(), outcome.end(), word) != outcome.end();
+         });
+}
+
+}  // namespace latchwork::icarus

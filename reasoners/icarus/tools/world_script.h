@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_ICARUS_WORLD_SCRIPT_H_
+#define LATCHWORK_ICARUS_WORLD_SCRIPT_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "reasoners/icarus/language/finding.h"
+#include "reasoners/icarus/machine/fact_store.h"
+#include "reasoners/icarus/machine/host.h"
+#include "reasoners/icarus/machine/interpreter.h"
+#include "reasoners/icarus/machine/value.h"
+
+namespace latchwork::icarus {
+
+/// What the world answers from a cycle on. An argument that is none stands for anything.
+struct ScriptAnswer {
+  std::size_t function = 0;
+  std::vector<Value> arguments;
+  Value answer;
+};
+
+/// One `(cycle ...)` of a script.
+struct ScriptCycle {
+  std::uint32_t line = 0;
+  std::vector<ScriptAnswer> answers;
+  std::vector<Value> stored;
+  std::vector<Value> forgotten;    ///< None, also within lists, stands for anything.
+  std::optional<std::string> top;  ///< From this cycle on.
+  bool idle = false;               ///< The program is not called.
+  std::int64_t repeat = 1;
+  std::optional<std::vector<std::string>> expected;  ///< Acts, "true", "false", "fault".
+};
+
+/// A world as a table: what its sensors answer, what enters and leaves memory, and what the program
+/// should do, cycle by cycle. Example:
+///     (top (Near car1))
+///     (cycle (answer {range-to car1} 3.0) (expect {goforward}))
+///     (cycle (answer {range-to car1} 0.5) (expect true))
+struct WorldScript {
+  std::string top;
+  std::deque<std::string> names;
+  std::vector<Signature> functions;
+  std::vector<ScriptCycle> cycles;
+  Arena arena;
+};
+
+WorldScript ReadScript(std::string text, std::string file, NamePool& names, Findings& findings);
+
+/// The host that a script describes. Answers stay until another for the same call replaces them;
+/// what is not answered is False.
+class ScriptedWorld : public Host {
+ public:
+  explicit ScriptedWorld(const WorldScript& script) : script_(script) {}
+
+  std::span<const Signature> functions() const override { return script_.functions; }
+  Value Call(std::size_t function, std::span<const Value> arguments, Arena& arena,
+             NamePool& names) override;
+
+  /// Lets a cycle of the script begin.
+  void Begin(const ScriptCycle& cycle, FactStore& memory);
+
+ private:
+  const WorldScript& script_;
+  std::vector<const ScriptAnswer*> answers_;
+};
+
+/// `{pedal 100}`, or several calls one after the other.
+std::string ToString(const Act& act, const NamePool& names);
+/// What a cycle came to, in the words of `expected`.
+std::vector<std::string> Outcome(const CycleResult& result, const NamePool& names);
+/// Whether it came to what was expected: the same acts, and whatever of "true", "false" and "fault"
+/// was named.
+bool Meets(const std::vector<std::string>& outcome, const std::vector<std::string>& expected);
+
+}  // namespace latchwork::icarus
+
+#endif  // LATCHWORK_ICARUS_WORLD_SCRIPT_H_
