@@ -28,7 +28,7 @@ struct RunOptions {
   Expansion expansion = Expansion::kAll;
   std::size_t means = 1;  ///< How many, with kFirst and kBest.
   std::uint32_t max_depth = 1000;
-  std::uint64_t max_clauses = 1'000'000;  ///< Evaluated in one cycle.
+  std::uint64_t max_clauses = 1'000'000;  ///< Evaluated in one cycle; a match counts per fact.
   bool lazy = true;  ///< With kFirst, stop at the first act where no sequence is in the program.
   bool restart = false;  ///< A finished sequence starts again.
 };

@@ -137,8 +137,10 @@ bool Machine::Resume(Choice choice) {
   choices_.pop_back();
   switch (choice.kind) {
     case ChoiceKind::kMatch:
+      ++clauses_;
       pc_ = choice.pc;
-      return MatchFrom(code_.instructions[pc_], choice.fact, choice.version);
+      return IsWithinLimit(code_.instructions[pc_]) &&
+             MatchFrom(code_.instructions[pc_], choice.fact, choice.version);
     case ChoiceKind::kObjective:
       scopes_[scope_].in_objective = false;
       pc_ = choice.pc;
@@ -155,6 +157,14 @@ bool Machine::Resume(Choice choice) {
   }
 }
 
+/// Beyond the limit of clauses the cycle is over.
+bool Machine::IsWithinLimit(const Instruction& instruction) {
+  if (clauses_ <= options_.max_clauses) return true;
+  Fail(instruction.form, "the cycle evaluates more clauses than the limit");
+  stopped_ = true;
+  return false;
+}
+
 bool Machine::Call(const Instruction& instruction) {
   ++clauses_;
   const std::uint32_t depth = scopes_[scope_].depth + 1;
@@ -162,11 +172,7 @@ bool Machine::Call(const Instruction& instruction) {
     Fail(instruction.form, "skills call each other deeper than the limit");
     return false;
   }
-  if (clauses_ > options_.max_clauses) {
-    Fail(instruction.form, "the cycle evaluates more clauses than the limit");
-    stopped_ = true;
-    return false;
-  }
+  if (!IsWithinLimit(instruction)) return false;
   const SkillCode& skill = code_.skills[instruction.a];
   const Index caller = base_;
   PushScope(ScopeKind::kSkill);

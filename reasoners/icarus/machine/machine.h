@@ -100,6 +100,7 @@ class Machine {
   Choice& PushChoice(ChoiceKind kind, Address pc);
   Scope& PushScope(ScopeKind kind);
   Index PushFrame(std::uint32_t variables);
+  bool IsWithinLimit(const Instruction& instruction);
   bool Call(const Instruction& instruction);
   bool Exit();
   bool IsRepeated(Scope& scope, const Instruction& call);
