@@ -28,6 +28,7 @@ struct Settings {
   icarus::RunOptions options;
   std::string acts = "first";
   std::string expand = "all";
+  std::string faults = "false";
   bool full = false;
   bool json = false;
 };
@@ -188,6 +189,8 @@ void TakeModes(Settings& settings) {
   options.lazy = !settings.full;
   if (settings.acts == "all") options.acts = icarus::ActMode::kAll;
   if (settings.acts == "value") options.acts = icarus::ActMode::kValue;
+  if (settings.faults == "abort-cycle") options.faults = icarus::FaultMode::kAbortCycle;
+  if (settings.faults == "stop") options.faults = icarus::FaultMode::kStop;
   if (settings.expand == "first") options.expansion = icarus::Expansion::kFirst;
   if (settings.expand == "best") options.expansion = icarus::Expansion::kBest;
 }
@@ -202,6 +205,10 @@ void AddOptions(CLI::App& command, Settings& settings) {
       ->check(CLI::IsMember({"first", "all", "value"}));
   command.add_option("--expand", settings.expand, "Means that are asked: all, first or best")
       ->check(CLI::IsMember({"all", "first", "best"}));
+  command
+      .add_option("--faults", settings.faults,
+                  "What a fault does: false (its clause is False), abort-cycle or stop")
+      ->check(CLI::IsMember({"false", "abort-cycle", "stop"}));
   command.add_option("--means", options.means, "How many, with --expand first or best");
   command.add_option("--max-depth", options.max_depth, "Skills that may call each other")
       ->check(CLI::Range(1, 1'000'000));

@@ -39,10 +39,16 @@ Act CopyAct(const Act& act, Arena& arena) {
   for (std::size_t i = 0; i < act.calls.size(); ++i) {
     ::new (calls + i) ActCall{act.calls[i].function, CopyValues(act.calls[i].arguments, arena)};
   }
-  return {act.skill, CopyValues(act.arguments, arena), {calls, act.calls.size()}};
+  return {act.skill, CopyValues(act.arguments, arena), {calls, act.calls.size()}, act.path};
 }
 
 }  // namespace
+
+void GetPath(const Act& act, std::vector<const PathSkill*>& path) {
+  path.clear();
+  for (const PathSkill* at = act.path; at != nullptr; at = at->caller) path.push_back(at);
+  std::reverse(path.begin(), path.end());
+}
 
 struct Interpreter::Implementation {
   struct Top {
@@ -56,10 +62,11 @@ struct Interpreter::Implementation {
   };
 
   Implementation(const Program& the_program, Host& the_host, NamePool& the_names,
-                 const RunOptions& options)
+                 const RunOptions& the_options)
       : program(the_program),
         host(the_host),
         names(the_names),
+        options(the_options),
         code(Compile(program, host, names, constants, findings)),
         machine(code, program, host, options, names, memory) {
     for (const Value& fact : code.facts) memory.Store(fact);
@@ -74,6 +81,7 @@ struct Interpreter::Implementation {
     for (const FoundAct* found : machine.acts()) {
       if (!Holds(now.acts, found->act)) now.acts.push_back(CopyAct(found->act, now.arena));
     }
+    for (Act& act : issued[1].acts) act.path = nullptr;
     for (Act& act : now.acts) act.started = !Holds(issued[1].acts, act);
     for (const Act& act : issued[1].acts) {
       if (!Holds(now.acts, act)) stopped.push_back(act);
@@ -83,6 +91,7 @@ struct Interpreter::Implementation {
   const Program& program;
   Host& host;
   NamePool& names;
+  const RunOptions options;
   Arena constants;
   Findings findings;
   CompiledProgram code;
@@ -92,6 +101,7 @@ struct Interpreter::Implementation {
   std::array<Issued, 2> issued;
   std::vector<Act> stopped;
   std::uint64_t cycle = 0;
+  bool halted = false;  ///< By a fault.
   CycleResult result;
 };
 
@@ -122,10 +132,11 @@ const CycleResult& Interpreter::Cycle(std::size_t top) {
   Machine& machine = own.machine;
   own.memory.Tidy();
   ++own.cycle;
-  const bool called = top != kNoTop;
+  const bool called = top != kNoTop && !own.halted;
   const std::uint32_t variables =
       called ? static_cast<std::uint32_t>(own.tops.at(top).variables.size()) : 0;
   machine.Run(called ? own.tops[top].entry : 0, variables, own.cycle);
+  own.halted = own.halted || (own.options.faults == FaultMode::kStop && machine.is_aborted());
   machine.sequences().EndCycle(own.cycle, machine.is_whole());
   own.Issue();
   CycleResult& result = own.result;
@@ -137,6 +148,7 @@ const CycleResult& Interpreter::Cycle(std::size_t top) {
   result.fault_count = machine.fault_count();
   result.clauses = machine.clauses();
   result.is_whole = machine.is_whole();
+  result.is_aborted = own.halted || machine.is_aborted();
   return result;
 }
 

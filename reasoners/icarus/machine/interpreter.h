@@ -23,6 +23,10 @@ enum class ActMode : std::uint8_t { kFirst, kAll, kValue };
 /// Which :means are asked: all, the first n, or the n of the highest :value.
 enum class Expansion : std::uint8_t { kAll, kFirst, kBest };
 
+/// What a fault does: its clause is False and the cycle goes on; the cycle comes to nothing; or
+/// that cycle and all later ones do.
+enum class FaultMode : std::uint8_t { kFalse, kAbortCycle, kStop };
+
 struct RunOptions {
   ActMode acts = ActMode::kFirst;
   Expansion expansion = Expansion::kAll;
@@ -31,6 +35,7 @@ struct RunOptions {
   std::uint64_t max_clauses = 1'000'000;  ///< Evaluated in one cycle; a match counts per fact.
   bool lazy = true;  ///< With kFirst, stop at the first act where no sequence is in the program.
   bool restart = false;  ///< A finished sequence starts again.
+  FaultMode faults = FaultMode::kFalse;
 };
 
 struct ActCall {
@@ -38,13 +43,25 @@ struct ActCall {
   std::span<const Value> arguments;
 };
 
+/// A skill that was being asked when an act was found.
+struct PathSkill {
+  std::uint32_t skill = kNoSkill;
+  FormId form = kNoForm;             ///< The clause that called it, of the program or the top.
+  std::span<const Value> arguments;  ///< As bound then; none: an unbound parameter.
+  const PathSkill* caller = nullptr;
+};
+
 /// What the agent should do: the calls of an :action skill, all their variables bound.
 struct Act {
   std::uint32_t skill = kNoSkill;
   std::span<const Value> arguments;
   std::span<const ActCall> calls;
-  bool started = false;  ///< It was not among the acts of the last cycle.
+  const PathSkill* path = nullptr;  ///< The :action skill, then its callers; null: of stopped acts.
+  bool started = false;             ///< It was not among the acts of the last cycle.
 };
+
+/// The skills that led to an act, the outermost first; `path` is overwritten.
+void GetPath(const Act& act, std::vector<const PathSkill*>& path);
 
 /// Something went wrong in a cycle; the clause at `form` was False.
 struct Fault {
@@ -63,7 +80,8 @@ struct CycleResult {
   std::span<const Fault> faults;  ///< The first few.
   std::size_t fault_count = 0;
   std::uint64_t clauses = 0;  ///< Evaluated.
-  bool is_whole = true;       ///< Not ended by the first act or by the budget.
+  bool is_whole = true;       ///< Not ended by the first act, by the budget or by a fault.
+  bool is_aborted = false;    ///< By a fault, with kAbortCycle and kStop: no acts, not True.
 };
 
 /// Runs a program, one cycle after the other. Within a cycle nothing is allocated once memory has

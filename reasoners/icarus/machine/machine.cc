@@ -40,6 +40,14 @@ void Machine::Run(Address entry, std::uint32_t variables, std::uint64_t cycle) {
   while (going && !stopped_) {
     going = Step(code_.instructions[pc_]) || Backtrack();
   }
+  if (is_aborted()) DiscardOutcome();
+}
+
+void Machine::DiscardOutcome() {
+  stopped_ = true;
+  acts_.clear();
+  environments_ = 0;
+  environment_values_.clear();
 }
 
 /// False: this way has come to its end.

@@ -46,6 +46,7 @@ class Machine {
   std::size_t fault_count() const { return fault_count_; }
   std::uint64_t clauses() const { return clauses_; }
   bool is_whole() const { return !stopped_; }
+  bool is_aborted() const { return options_.faults != FaultMode::kFalse && fault_count_ != 0; }
   SequenceStates& sequences() { return sequences_; }
 
  private:
@@ -75,6 +76,7 @@ class Machine {
     FoundAct* first_act = nullptr;  ///< kStep: found so far. kSkill: the best.
     FoundAct* last_act = nullptr;
     Seen* seen = nullptr;
+    const PathSkill* path = nullptr;     ///< kSkill: its callers, once an act was found.
     std::span<const Value> environment;  ///< kStep: of its first True.
   };
   enum class ChoiceKind : std::uint8_t { kMatch, kMeans, kObjective, kNotEnd, kStepEnd, kCallEnd };
@@ -112,6 +114,7 @@ class Machine {
   bool TakeBranch(Choice& choice);
   bool Negate(const Instruction& instruction);
   bool TopEnd();
+  void DiscardOutcome();
 
   // machine_sequences.cc
   bool Sequence();
@@ -121,6 +124,9 @@ class Machine {
 
   // machine_acts.cc
   bool MakeAct(const Instruction& instruction);
+  const PathSkill* CallersOf(Index index);
+  const PathSkill* MakePath(Index index, Index base, const PathSkill* callers);
+  Index SkillAbove(Index index) const;
   void Emit(Index index, FoundAct* act);
   bool PassSkill(Scope& scope, FoundAct* act) const;
   void AcceptAtTop(FoundAct* act);
@@ -162,6 +168,7 @@ class Machine {
   std::vector<Scope> scopes_;
   std::vector<Choice> choices_;
   std::vector<Value> scratch_;
+  std::vector<Index> callers_;
   Address pc_ = 0;
   Index base_ = 0;
   Index scope_ = 0;

@@ -14,7 +14,6 @@ constexpr double kNoValue = -std::numeric_limits<double>::infinity();
 }  // namespace
 
 bool Machine::MakeAct(const Instruction& instruction) {
-  const Scope& scope = scopes_[scope_];
   auto* const calls = static_cast<ActCall*>(arena_.Allocate(instruction.b * sizeof(ActCall)));
   for (std::uint32_t i = 0; i < instruction.b; ++i) {
     const CallCode& call = code_.calls[instruction.a + i];
@@ -26,14 +25,44 @@ bool Machine::MakeAct(const Instruction& instruction) {
     scratch_.resize(mark);
     ::new (calls + i) ActCall{call.name, arguments};
   }
-  const std::uint32_t parameters = code_.skills[scope.skill].parameters;
-  const std::span<Value> arguments = arena_.MakeValues(parameters);
-  std::copy_n(frames_.begin() + base_, parameters, arguments.begin());
+  const PathSkill* const path = MakePath(scope_, base_, CallersOf(scope_));
   auto* const found = ::new (arena_.Allocate(sizeof(FoundAct))) FoundAct;
-  found->act = {scope.skill, arguments, {calls, instruction.b}};
+  found->act = {path->skill, path->arguments, {calls, instruction.b}, path};
   found->value = kNoValue;
   Emit(scope_, found);
   return false;
+}
+
+/// The skill of this scope, whose variables are at `base`.
+const PathSkill* Machine::MakePath(Index index, Index base, const PathSkill* callers) {
+  const Scope& scope = scopes_[index];
+  const std::span<Value> arguments = arena_.MakeValues(code_.skills[scope.skill].parameters);
+  std::copy_n(frames_.begin() + base, arguments.size(), arguments.begin());
+  const FormId form = code_.instructions[scope.call].form;
+  return ::new (arena_.Allocate(sizeof(PathSkill)))
+      PathSkill{scope.skill, form, arguments, callers};
+}
+
+/// The callers of a skill, the nearest first. Their variables do not change while it is asked, so
+/// that all acts found in it share them.
+const PathSkill* Machine::CallersOf(Index index) {
+  callers_.clear();
+  for (Index at = index; at != 0 && scopes_[at].path == nullptr; at = SkillAbove(at)) {
+    callers_.push_back(at);
+  }
+  for (; !callers_.empty(); callers_.pop_back()) {
+    Scope& scope = scopes_[callers_.back()];
+    const Index caller = SkillAbove(callers_.back());
+    if (caller != 0) scope.path = MakePath(caller, scope.caller_base, scopes_[caller].path);
+  }
+  return scopes_[index].path;
+}
+
+Machine::Index Machine::SkillAbove(Index index) const {
+  do {
+    index = scopes_[index].parent;
+  } while (index != 0 && scopes_[index].kind != ScopeKind::kSkill);
+  return index;
 }
 
 /// An act leaves one scope after the other until one keeps it.

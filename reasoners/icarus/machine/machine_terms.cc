@@ -300,6 +300,7 @@ Value Machine::ChangeMemory(const CallCode& call, Index base) {
 
 void Machine::Fail(FormId form, std::string_view message) {
   ++fault_count_;
+  if (options_.faults != FaultMode::kFalse) stopped_ = true;
   const bool known = std::any_of(faults_.begin(), faults_.end(), [&](const Fault& fault) {
     return fault.form == form && fault.message == message;
   });

@@ -60,6 +60,26 @@ TEST(IcarusInterpreterTest, HostThatThrows_IsAFaultWithItsSkills) {
   EXPECT_EQ(ToString(result.acts[0], odd.names), "{go}");
 }
 
+TEST(IcarusInterpreterTest, FaultModes_DecideWhatAFaultEnds) {
+  constexpr std::string_view kText =
+      "(Top (?n) :objective ({< ?n 0}) :means ((Go ?n) (Look ?n)))\n(Go (?n) :action ({go ?n}))\n"
+      "(Look (?n) :requires ({> ?n 1} {broken}))";
+  for (const FaultMode mode : {FaultMode::kFalse, FaultMode::kAbortCycle, FaultMode::kStop}) {
+    RunOptions options;
+    options.faults = mode;
+    options.acts = ActMode::kAll;
+    Odd odd(kText, "(Top 1)", options);
+    const std::size_t faulty = odd.interpreter.AddTop("(Top 2)", odd.findings);
+    EXPECT_EQ(odd.interpreter.Cycle(odd.top).acts.size(), 1U);
+    const CycleResult& result = odd.interpreter.Cycle(faulty);
+    EXPECT_EQ(result.fault_count, 1U);
+    EXPECT_EQ(result.acts.size(), mode == FaultMode::kFalse ? 1U : 0U);
+    EXPECT_EQ(result.stopped.size(), 1U);
+    EXPECT_EQ(result.is_aborted, mode != FaultMode::kFalse);
+    EXPECT_EQ(odd.interpreter.Cycle(odd.top).acts.size(), mode == FaultMode::kStop ? 0U : 1U);
+  }
+}
+
 TEST(IcarusInterpreterTest, Sensors_AreAskedOncePerCycle) {
   Odd odd("(Top (?a ?b) :objective ((bind ?a {count}) (bind ?b {count})))", "(Top ?x ?y)");
   for (int cycle = 1; cycle <= 3; ++cycle) {
@@ -136,6 +156,59 @@ TEST(IcarusInterpreterTest, Acts_StartContinueAndStop) {
   const CycleResult& idle = odd.interpreter.Cycle(Interpreter::kNoTop);
   EXPECT_EQ(idle.acts.size(), 0U);
   EXPECT_EQ(idle.stopped.size(), 1U);
+}
+
+/// `Top Near(c1) Go`, with what each skill was called with.
+std::string PathText(const Odd& odd, const Act& act) {
+  std::vector<const PathSkill*> path;
+  GetPath(act, path);
+  std::string text;
+  for (const PathSkill* at : path) {
+    text += (text.empty() ? "" : " ") + odd.file.program.skills[at->skill].spelling + '(';
+    for (const Value& value : at->arguments) {
+      text += value.is_none() ? "?" : ToString(value, odd.names);
+    }
+    text += ')';
+  }
+  return text;
+}
+
+TEST(IcarusInterpreterTest, Acts_CarryTheSkillsThatLedToThem) {
+  constexpr std::string_view kText =
+      "(facts (car c1) (car c2))\n"
+      "(Top (?far) :requires ((car ?c) (*not* {noted ?c})) :means ((Drive ?c ?far) (Look)))\n"
+      "(Drive (?c ?d) :sequence ((Near ?c ?l) (Go ?l)))\n"
+      "(Near (?c ?l) :objective ((bind ?l (at ?c))))\n"
+      "(Look () :means ((*not* (Go look))))\n"
+      "(Go (?x) :action ({go ?x}))";
+  for (const ActMode mode : {ActMode::kAll, ActMode::kValue, ActMode::kFirst}) {
+    RunOptions options;
+    options.acts = mode;
+    Odd odd(kText, "(Top ?)", options);
+    const CycleResult& result = odd.interpreter.Cycle(odd.top);
+    EXPECT_EQ(PathText(odd, result.acts[0]), "Top(?) Drive(c1?) Go((at c1))");
+    if (mode != ActMode::kAll) continue;
+    ASSERT_EQ(result.acts.size(), 3U);
+    EXPECT_EQ(PathText(odd, result.acts[1]), "Top(?) Look() Go(look)");
+    EXPECT_EQ(PathText(odd, result.acts[2]), "Top(?) Drive(c2?) Go((at c2))");
+    EXPECT_EQ(odd.file.program.source.at(result.acts[2].path->form).line, 3U);
+    EXPECT_EQ(odd.interpreter.Cycle(Interpreter::kNoTop).stopped[0].path, nullptr);
+  }
+}
+
+TEST(IcarusInterpreterTest, Paths_TakeMemoryInProportionToCalls) {
+  RunOptions options;
+  options.acts = ActMode::kAll;
+  options.max_depth = 20'000;
+  Odd odd(
+      "(Deep (?n) :requires ({< ?n 9999} (bind ?m {+ ?n 1})) :means ((Deep ?m) (Go ?n)))\n"
+      "(Go (?n) :action ({go 1}))",
+      "(Deep 0)", options);
+  const CycleResult& result = odd.interpreter.Cycle(odd.top);
+  ASSERT_EQ(result.acts.size(), 1U);
+  std::vector<const PathSkill*> path;
+  GetPath(result.acts[0], path);
+  EXPECT_EQ(path.size(), 10'000U);
 }
 
 TEST(IcarusInterpreterTest, WarmCycle_AllocatesNothing) {
