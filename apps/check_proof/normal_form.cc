@@ -230,6 +230,23 @@ void Push(Kind kind, Variable variable, Tree& tree) {
   }
 }
 
+void CollectConjuncts(const Tree& tree, std::vector<Variable>& prefix,
+                      std::vector<Tree>& conjuncts) {
+  if (tree.kind == Kind::kForall || tree.kind == Kind::kAnd) {
+    const std::size_t outer = prefix.size();
+    prefix.insert(prefix.end(), tree.variables.begin(), tree.variables.end());
+    for (const Tree& child : tree.children) CollectConjuncts(child, prefix, conjuncts);
+    prefix.resize(outer);
+    return;
+  }
+  Tree& conjunct = conjuncts.emplace_back(tree);
+  const auto free = FreeSet(tree);
+  for (const Variable variable : prefix) {
+    if (free.contains(variable)) Wrap(Kind::kForall, variable, conjunct);
+  }
+  MoveQuantifiersInwards(conjunct);
+}
+
 /// Compares trees; variables are bound one to one across both, as every quantifier has its own.
 class VariantCheck {
  public:
@@ -334,6 +351,13 @@ void MoveQuantifiersInwards(Tree& tree) {
   Tree inner = std::move(tree.children[0]);
   tree = std::move(inner);
   for (const Variable variable : variables) Push(kind, variable, tree);
+}
+
+std::vector<Tree> ConjunctsOf(const Tree& tree) {
+  std::vector<Tree> conjuncts;
+  std::vector<Variable> prefix;
+  CollectConjuncts(tree, prefix, conjuncts);
+  return conjuncts;
 }
 
 std::optional<bool> IsVariant(const Tree& a, const Tree& b) {

@@ -58,6 +58,10 @@ class Normalizer {
 /// one, and quantifiers move inwards as far as they can without being copied.
 void MoveQuantifiersInwards(Tree& tree);
 
+/// What a formula says piece by piece: the conjuncts below its universal quantifiers, however these
+/// are nested, each below those that bind something in it, with quantifiers moved inwards.
+std::vector<Tree> ConjunctsOf(const Tree& tree);
+
 /// Equal but for the numbers of bound variables and the order within blocks of quantifiers,
 /// conjunctions and disjunctions. Nothing when it takes too long to say.
 std::optional<bool> IsVariant(const Tree& a, const Tree& b);

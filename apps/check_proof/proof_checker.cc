@@ -327,16 +327,25 @@ class Checker {
     }
     if (main == nullptr) return Verdict::kNo;
     if (main->definition) return IsHalfOf(main->formula->formula, formula.formula);
-    return HaveSameNormalForm(main->formula->formula, formula.formula, definitions);
+    return IsNormalFormOf(main->formula->formula, formula.formula, definitions);
   }
 
-  static Verdict HaveSameNormalForm(const Formula& a, const Formula& b,
-                                    const Definitions& definitions) {
+  /// Whether `b`, or each conjunct of it, is said by `a` in the same words.
+  static Verdict IsNormalFormOf(const Formula& a, const Formula& b,
+                                const Definitions& definitions) {
     const auto left = Canonical(a, definitions);
     const auto right = Canonical(b, definitions);
     const auto same = left && right ? IsVariant(*left, *right) : std::nullopt;
     if (!same) return Verdict::kTooHard;
-    return *same ? Verdict::kYes : Verdict::kNo;
+    if (*same) return Verdict::kYes;
+    const std::vector<Tree> said = ConjunctsOf(*left);
+    for (const Tree& conjunct : ConjunctsOf(*right)) {
+      const bool is_said = std::any_of(said.begin(), said.end(), [&](const Tree& each) {
+        return IsVariant(each, conjunct).value_or(false);
+      });
+      if (!is_said) return Verdict::kNo;
+    }
+    return Verdict::kYes;
   }
 
   /// Whether a formula is one of the two implications of a definition.
@@ -352,7 +361,7 @@ class Checker {
         const auto variables = definition.variables();
         half = Formula::Forall({variables.begin(), variables.end()}, std::move(half));
       }
-      const Verdict one = HaveSameNormalForm(half, formula, {});
+      const Verdict one = IsNormalFormOf(half, formula, {});
       if (one != Verdict::kNo) verdict = one;
       if (one == Verdict::kYes) break;
     }

@@ -27,9 +27,8 @@ ClauseMaker::ClauseMaker(const NormalTree& tree, const FreeVariableTable* free,
       work_(work),
       recorder_(recorder) {}
 
-void ClauseMaker::Make(const std::vector<Signed>& disjunction,
-                       const std::vector<Variable>& variables, const Clause& pattern,
-                       std::vector<Clause>& clauses) {
+void ClauseMaker::Make(const std::vector<Item>& disjunction, const std::vector<Variable>& variables,
+                       const Clause& pattern, std::vector<Clause>& clauses) {
   scope_.clear();
   literals_.clear();
   sources_.clear();
@@ -48,11 +47,11 @@ void ClauseMaker::Make(const std::vector<Signed>& disjunction,
   }
 }
 
-void ClauseMaker::Expand(const std::vector<Signed>& disjunction) {
+void ClauseMaker::Expand(const std::vector<Item>& disjunction) {
   done_.assign(1, {});
-  for (const Signed& part : disjunction) {
+  for (const Item& part : disjunction) {
     const std::size_t middle = done_.size();
-    Begin({part.id, part.positive});
+    Begin(part);
     while (!open_.empty() && !work_.is_spent()) {
       Frame& frame = open_.back();
       if (frame.next > 0 && frame.is_disjunction) Distribute(frame.first, frame.middle);

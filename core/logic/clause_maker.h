@@ -39,18 +39,6 @@ class ClauseMaker {
               const std::vector<std::string>& variable_names, SymbolTable& symbols, WorkMeter& work,
               ClauseRecorder* recorder);
 
-  /// Appends the clauses of the disjunction of the nodes, each with its sign, universally closed
-  /// over `variables`; `pattern` gives them name, role and place.
-  struct Signed {
-    NormalTree::Id id = 0;
-    bool positive = true;
-  };
-  void Make(const std::vector<Signed>& disjunction, const std::vector<Variable>& variables,
-            const Clause& pattern, std::vector<Clause>& clauses);
-  /// By fresh variable of the last call: the variable of the tree.
-  const std::vector<Variable>& sources() const { return sources_; }
-
- private:
   /// An equivalence is the conjunction of two disjunctions, its halves.
   enum class Half : std::uint8_t { kNone, kFirst, kSecond };
   struct Item {
@@ -58,6 +46,14 @@ class ClauseMaker {
     bool positive = true;
     Half half = Half::kNone;
   };
+  /// Appends the clauses of the disjunction of the items, universally closed over `variables`;
+  /// `pattern` gives them name, role and place.
+  void Make(const std::vector<Item>& disjunction, const std::vector<Variable>& variables,
+            const Clause& pattern, std::vector<Clause>& clauses);
+  /// By fresh variable of the last call: the variable of the tree.
+  const std::vector<Variable>& sources() const { return sources_; }
+
+ private:
   struct Frame {
     Item item;
     bool is_disjunction = false;
@@ -67,7 +63,7 @@ class ClauseMaker {
     std::size_t next = 0;
   };
 
-  void Expand(const std::vector<Signed>& disjunction);
+  void Expand(const std::vector<Item>& disjunction);
   void Begin(const Item& item);
   bool IsDisjunction(const Item& item) const;
   Item ChildItem(const Frame& frame, std::size_t index) const;

@@ -2,6 +2,8 @@
 #include "latchwork/logic/clausify.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -28,6 +30,42 @@ struct Source {
   std::size_t formula = ClauseOrigins::kNone;
   std::size_t definition = ClauseOrigins::kNone;
 };
+
+/// A conjunct of a formula, with the universal quantifiers around it that bind something in it.
+struct Conjunct {
+  ClauseMaker::Item item;
+  std::vector<Variable> variables;
+};
+
+/// What a formula says below its universal quantifiers, piece by piece: pieces are easier to follow
+/// and to check.
+std::vector<Conjunct> ConjunctsOf(const NormalTree& tree) {
+  using Kind = NormalTree::Kind;
+  using Half = ClauseMaker::Half;
+  std::vector<Variable> prefix;
+  NormalTree::Id body = tree.root;
+  for (; tree.nodes[body].kind == Kind::kForall; body = tree.nodes[body].children[0]) {
+    const std::vector<Variable>& bound = tree.nodes[body].variables;
+    prefix.insert(prefix.end(), bound.begin(), bound.end());
+  }
+  std::vector<ClauseMaker::Item> items;
+  if (tree.nodes[body].kind == Kind::kEquivalent) {
+    items = {{body, true, Half::kFirst}, {body, true, Half::kSecond}};
+  } else if (tree.nodes[body].kind == Kind::kAnd) {
+    for (const NormalTree::Id child : tree.nodes[body].children) items.push_back({child, true});
+  } else {
+    return {{{tree.root, true}, {}}};
+  }
+  std::vector<Conjunct> conjuncts;
+  for (const ClauseMaker::Item& item : items) {
+    Conjunct& conjunct = conjuncts.emplace_back(Conjunct{item, {}});
+    if (prefix.empty()) continue;
+    const std::vector<Variable> free = tree.FreeVariables(item.id);
+    std::copy_if(prefix.begin(), prefix.end(), std::back_inserter(conjunct.variables),
+                 [&](Variable each) { return std::binary_search(free.begin(), free.end(), each); });
+  }
+  return conjuncts;
+}
 
 class Clausifier {
  public:
@@ -86,24 +124,27 @@ class Clausifier {
     // A clause has no quantifiers to be moved, and may have a hundred thousand variables.
     auto free = is_clause ? std::nullopt : Miniscope(tree);
     FreeVariableTable* table = free ? &*free : nullptr;
-    std::vector<ClauseMaker::Signed> disjunction;
+    std::optional<ClauseMaker::Item> denied;
     if (condition != nullptr) {
-      disjunction.push_back({tree.AddLiteral(*condition, false), true});
+      denied = {tree.AddLiteral(*condition, false), true};
       if (table != nullptr) table->emplace_back();
     }
-    disjunction.push_back({tree.root, true});
     const auto names = NameSubformulas(tree, table, options_.distribution_limit, symbols_);
     const bool records = origins_ != nullptr && !is_clause;
     ClauseRecorder recorder(annotated.variable_names);
     ClauseMaker maker(tree, table, annotated.variable_names, symbols_, work_,
                       records ? &recorder : nullptr);
-    const auto make = [&](const std::vector<ClauseMaker::Signed>& parts,
+    const auto make = [&](const std::vector<ClauseMaker::Item>& parts,
                           const std::vector<Variable>& variables, const Source& from) {
       const std::size_t first = clauses_.size();
       maker.Make(parts, variables, pattern, clauses_);
       if (records && !work_.is_spent()) Record(recorder.Take(maker.sources()), from, first);
     };
-    make(disjunction, {}, source);
+    if (denied) {
+      make({*denied, {tree.root, true}}, {}, source);
+    } else {
+      for (const Conjunct& each : ConjunctsOf(tree)) make({each.item}, each.variables, source);
+    }
     for (const SubformulaName& each : names) {
       std::vector<Variable> variables;
       CollectVariables(*tree.nodes[each.name].atom, variables);

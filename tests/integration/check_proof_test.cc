@@ -117,6 +117,16 @@ TEST_F(CheckProofTest, DefinitionsOfLargeFormulas_AreVerified) {
   EXPECT_EQ(result.exit_code, kVerified) << result.err;
 }
 
+TEST_F(CheckProofTest, ConjunctsOfAnAxiom_AreShownOneByOne) {
+  const std::string proof = Prove(
+      "fof(a, axiom, ![X] : (p(X) <=> ?[Y] : (q(X, Y) & r(Y))))."
+      "fof(b, axiom, ![X] : (q(X, a) & ![Z] : (q(Z, b) & p(b))))."
+      "fof(c, conjecture, ?[Y] : (q(b, Y) & r(Y))).");
+  EXPECT_THAT(proof, HasSubstr("! [X] : (~ p(X) | ? [Y] : (q(X, Y) & r(Y))), inference(normalize"));
+  const CommandResult result = Check(proof);
+  EXPECT_EQ(result.exit_code, kVerified) << result.err;
+}
+
 struct Change {
   std::string name;
   std::string from;
