@@ -191,8 +191,9 @@ std::string TstpPrinter::NormalForm(std::size_t index) {
     parents.push_back(Definition(form.definition));
   } else {
     parents.push_back(FormulaParent(form.formula));
-    for (const std::size_t each : DefinitionsOf(PredicatesOf(form.normal)))
+    for (const std::size_t each : DefinitionsOf(PredicatesOf(form.normal))) {
       parents.push_back(Definition(each));
+    }
   }
   name = Line("fof", "normal_form", "plain", ToString(form.normal, form.normal_names),
               Inference("normalize", "thm", parents));

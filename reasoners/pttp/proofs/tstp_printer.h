@@ -52,20 +52,20 @@ class TstpPrinter {
   std::string Line(std::string_view language, std::string_view stem, std::string_view role,
                    std::string_view formula, std::string_view source);
   /// As it is written in the file, on one line, where that is known. Clauses are not closed.
-  std::string TextOf(std::size_t formula) const;
-  std::string ClosedText(std::size_t formula) const;
-  std::string Leaf(std::size_t formula);
+  std::string TextOf(std::size_t index) const;
+  std::string ClosedText(std::size_t index) const;
+  std::string Leaf(std::size_t index);
   std::string Conjectures();
-  std::string NegatedConjecture(std::size_t formula);
-  std::string Definition(std::size_t definition);
-  std::string NormalForm(std::size_t form);
-  std::string Skolemized(std::size_t form);
-  std::string FormulaParent(std::size_t formula);
+  std::string NegatedConjecture(std::size_t index);
+  std::string Definition(std::size_t index);
+  std::string NormalForm(std::size_t index);
+  std::string Skolemized(std::size_t index);
+  std::string FormulaParent(std::size_t index);
   /// Of the names among the predicates and, in turn, in their definitions.
   std::set<std::size_t> DefinitionsOf(const Symbols& predicates) const;
   /// What a clause of a normal form follows from: the formula itself where no Skolem function is
   /// between them and that saves definitions.
-  std::vector<std::string> ParentsOf(const logic::Clause& clause, std::size_t form);
+  std::vector<std::string> ParentsOf(const logic::Clause& clause, std::size_t index);
   std::size_t FormulaOf(const logic::Clause& clause) const;
 
   ProofSources sources_;

@@ -45,7 +45,7 @@ class Ordering {
   };
 
   Order Candidate(TermId a, TermId b);
-  void Count(TermId term, int sign);
+  void Count(TermId root, int sign);
   bool Covers(Order candidate) const;
   void Clear();
 

@@ -87,7 +87,10 @@ std::vector<bool> SelectRelevant(std::span<const logic::Clause> clauses, unsigne
     // Nothing could bring in a formula without symbols (X = Y).
     formulas[i].selected = formulas[i].goal || formulas[i].symbols.empty();
   }
-  if (frontier.empty()) return std::vector<bool>(clauses.size(), true);
+  if (frontier.empty()) {
+    std::vector<bool> all(clauses.size(), true);
+    return all;
+  }
   for (unsigned step = 0; step < depth && !frontier.empty(); ++step) {
     std::vector<std::size_t> next;
     for (const std::size_t from : frontier) {

@@ -20,11 +20,11 @@ class Substitution {
 
   void Reset();
   /// Extends the substitution; after a failure it must be reset.
-  bool Unify(Item a, Item b);
+  bool Unify(Item first, Item second);
   /// The instance, its unbound variables numbered in order of first appearance since Reset.
   TermId Apply(Item item) { return ApplyReplacing(item, {}, kNoTerm); }
   /// The instance with every occurrence of `from` replaced by `to`, which is an instance already.
-  TermId ApplyReplacing(Item item, Item from, TermId to);
+  TermId ApplyReplacing(Item root, Item from, TermId to);
   /// Something was given up because of its size since the object was made.
   bool overflowed() const { return overflowed_; }
 

@@ -123,14 +123,14 @@ BodyPlanner::Place BodyPlanner::First(Wanted&& wanted) {
 }
 
 BodyPlanner::Place BodyPlanner::Choose() {
-  const Place computed = First([&](const CompiledLiteral& literal) {
+  const auto computed = First([&](const CompiledLiteral& literal) {
     const PredicateKind kind = KindOf(literal);
     return kind == PredicateKind::kArithmetic || kind == PredicateKind::kEquality;
   });
   if (computed != left_.end()) return computed;
-  const Place first = First([](const CompiledLiteral&) { return true; });
+  const auto first = First([](const CompiledLiteral&) { return true; });
   if (first == left_.end() || !program_.reorder_ || !HasRules(rule_.body[*first])) return first;
-  const Place extensional = First([&](const CompiledLiteral& literal) {
+  const auto extensional = First([&](const CompiledLiteral& literal) {
     return literal.positive && literal.needs_ground == 0 && !HasRules(literal) &&
            KindOf(literal) == PredicateKind::kOrdinary && HasBoundArgument(literal);
   });

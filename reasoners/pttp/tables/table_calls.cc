@@ -180,6 +180,7 @@ bool Tables::Resume(std::uint32_t number) {
   consumers_[number].queued = false;
   const Body body = consumers_[number].body;
   const Arena::Mark mark = stack_.arena.mark();
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written before it is read
   std::array<Binding*, Batch::kMost> places;
   Output output{&body, consumers_[number].step + 1, {places.data(), 0}, mark};
   bool go_on = true;

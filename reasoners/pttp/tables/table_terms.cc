@@ -40,6 +40,7 @@ bool Tables::AreSameWithin(Word a, Word b) {
 }
 
 bool Tables::MatchParts(const MatchCode& pattern, const Word* given, Word* slots) {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written before it is read
   std::array<Word, MatchCode::kMostParts> parts;
   Word* end = parts.data();
   for (const MatchStep& step : pattern.steps) {

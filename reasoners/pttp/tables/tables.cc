@@ -123,6 +123,7 @@ bool Tables::Join(const Body& body, std::size_t step, const Batch& batch) {
   if (nesting_ == kDeepestNesting) return Unfit(*body.run);
   ++nesting_;
   const Arena::Mark mark = stack_.arena.mark();
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written before it is read
   std::array<Binding*, Batch::kMost> places;
   Output output{&body, step + 1, {places.data(), 0}, mark};
   bool go_on = true;
@@ -136,7 +137,7 @@ bool Tables::Join(const Body& body, std::size_t step, const Batch& batch) {
 }
 
 /// The source's that alone has some; null when there are none or several.
-FactTable* Tables::OnlyFacts(PredicateId predicate) {
+FactTable* Tables::OnlyFacts(PredicateId predicate) const {
   FactTable* only = nullptr;
   for (const FactStore::Entry& entry : shop_.facts->Tables(predicate)) {
     if (!entry.source->enabled || entry.table->rows() == 0) continue;
@@ -267,6 +268,7 @@ bool Tables::Deliver(const Body& body, const Batch& batch) {
 
 bool Tables::DeliverAnswer(const Body& body, Binding& binding) {
   Table& table = *body.target;
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written before it is read
   std::array<Word, kMostArguments> row;
   std::copy_n(table.arguments, table.rows.arity(), row.data());
   const Arena::Mark mark = store_.arena.mark();

@@ -91,15 +91,15 @@ class Tables {
   /// Solutions of the same steps, in the order of the rows that gave them.
   struct Batch {
     static constexpr std::size_t kMost = 64;
-    Binding** bindings;
-    std::size_t count;
+    Binding** bindings = nullptr;
+    std::size_t count = 0;
   };
   /// Where a step puts the bindings that it extends.
   struct Output {
-    const Body* body;
-    std::size_t step;  ///< That goes on with them.
-    Batch batch;
-    Arena::Mark mark;  ///< What lies above goes when they are done with.
+    const Body* body = nullptr;
+    std::size_t step = 0;  ///< That goes on with them.
+    Batch batch = {};
+    Arena::Mark mark = {};  ///< What lies above goes when they are done with.
   };
   struct Consumer {
     Body body;
@@ -132,7 +132,7 @@ class Tables {
   bool DeliverAnswer(const Body& body, Binding& binding);
   /// A table where a step finds one row at most; null when there may be others.
   FactTable* FindLookup(const TableStep& step, const Origin*& origins);
-  FactTable* OnlyFacts(PredicateId predicate);
+  FactTable* OnlyFacts(PredicateId predicate) const;
   bool Lookup(const TableStep& step, FactTable& rows, const Origin* origins, Batch& batch);
   bool LookupRow(const TableStep& step, FactTable& rows, const Origin* origins, Binding& binding);
   bool Flush(Output& output);
@@ -169,7 +169,7 @@ class Tables {
   bool EvaluateRule(const Body& body);
   void EvaluateFacts(Table& table);
   bool EvaluateComponent(Run& run, Table& table);
-  bool Resume(std::uint32_t consumer);
+  bool Resume(std::uint32_t number);
   bool TakeAnswers(std::uint32_t number, Output& output);
   bool Unfit(Run& run);
   bool HasEnded(const Run& run) const { return run.enough || run.unfit || shop_.meter->stopped(); }
@@ -243,7 +243,7 @@ class Tables {
     return MakeValues(step, slots, values) ? values : nullptr;
   }
   const Resting* Join(const Resting* a, const Resting* b);
-  bool Count() {
+  bool Count() const {
     shop_.meter->CountWork();
     return !shop_.meter->stopped();
   }
