@@ -152,6 +152,8 @@ const CycleResult& Interpreter::Cycle(std::size_t top) {
   return result;
 }
 
+void Interpreter::SetSink(EventSink* sink) { implementation_->machine.SetSink(sink); }
+
 std::uint64_t Interpreter::cycle() const { return implementation_->cycle; }
 FactStore& Interpreter::memory() { return implementation_->memory; }
 std::size_t Interpreter::sequence_states() const {

@@ -12,6 +12,7 @@
 
 #include "reasoners/icarus/language/finding.h"
 #include "reasoners/icarus/language/program.h"
+#include "reasoners/icarus/machine/event.h"
 #include "reasoners/icarus/machine/fact_store.h"
 #include "reasoners/icarus/machine/host.h"
 #include "reasoners/icarus/machine/value.h"
@@ -48,6 +49,7 @@ struct PathSkill {
   std::uint32_t skill = kNoSkill;
   FormId form = kNoForm;             ///< The clause that called it, of the program or the top.
   std::span<const Value> arguments;  ///< As bound then; none: an unbound parameter.
+  std::span<const Value> variables;  ///< All its variables, the parameters first.
   const PathSkill* caller = nullptr;
 };
 
@@ -109,6 +111,8 @@ class Interpreter {
   static constexpr std::size_t kNoTop = static_cast<std::size_t>(-1);
   /// Evaluates a top call once; kNoTop: the program is not called in this cycle.
   const CycleResult& Cycle(std::size_t top);
+  /// Who is told what happens in the cycles to come; null: nobody, which costs nothing.
+  void SetSink(EventSink* sink);
   /// Number of the last cycle; the first is 1.
   std::uint64_t cycle() const;
 

@@ -36,11 +36,24 @@ void Machine::Run(Address entry, std::uint32_t variables, std::uint64_t cycle) {
   pc_ = entry;
   cycle_ = cycle;
   top_variables_ = variables;
-  bool going = true;
-  while (going && !stopped_) {
-    going = Step(code_.instructions[pc_]) || Backtrack();
+  events_ = 0;
+  call_ends_ = options_.acts == ActMode::kValue || traced();
+  if (traced()) {
+    Loop<true>();
+  } else {
+    Loop<false>();
   }
   if (is_aborted()) DiscardOutcome();
+  if (traced()) TraceEnd();
+}
+
+template <bool kTraced>
+void Machine::Loop() {
+  bool going = true;
+  while (going && !stopped_) {
+    const Instruction& instruction = code_.instructions[pc_];
+    going = (kTraced ? StepTraced(instruction) : Step(instruction)) || Backtrack<kTraced>();
+  }
 }
 
 void Machine::DiscardOutcome() {
@@ -110,6 +123,7 @@ Machine::Scope& Machine::PushScope(ScopeKind kind) {
   scope.kind = kind;
   scope.parent = scope_;
   scope.depth = scopes_[scope_].depth;
+  scope.event = scopes_[scope_].event;
   scopes_.push_back(scope);
   return scopes_.back();
 }
@@ -122,6 +136,7 @@ Machine::Index Machine::PushFrame(std::uint32_t variables) {
   return base;
 }
 
+template <bool kTraced>
 bool Machine::Backtrack() {
   while (!choices_.empty()) {
     const Choice choice = choices_.back();
@@ -133,7 +148,7 @@ bool Machine::Backtrack() {
     scopes_.resize(choice.scopes);
     scope_ = choice.scope;
     base_ = choice.base;
-    if (Resume(choice)) return true;
+    if (kTraced ? ResumeTraced(choice) : Resume(choice)) return true;
     if (stopped_) return false;
   }
   return false;
@@ -185,7 +200,7 @@ bool Machine::Call(const Instruction& instruction) {
   const Index caller = base_;
   PushScope(ScopeKind::kSkill);
   const auto index = static_cast<Index>(scopes_.size() - 1);
-  if (options_.acts == ActMode::kValue && skill.type != SkillType::kSensor) {
+  if (call_ends_ && (skill.type != SkillType::kSensor || traced())) {
     PushChoice(ChoiceKind::kCallEnd, pc_);
   }
   const Index base = PushFrame(skill.variables);
@@ -205,6 +220,7 @@ bool Machine::Call(const Instruction& instruction) {
   scope_ = index;
   base_ = base;
   pc_ = skill.entry;
+  if (traced()) TraceCall(instruction, caller);
   if (options_.acts == ActMode::kValue && skill.has_value) {
     const Value value = Evaluate(code_.terms[skill.value], base);
     scopes_[index].has_value = value.is_number();
@@ -230,7 +246,9 @@ bool Machine::Exit() {
     const Value value = frames_[callee + i];
     if (!value.is_none() && !Unify(code_.terms[call.b + i], value, base_)) return false;
   }
-  return !IsRepeated(scope, call);
+  if (IsRepeated(scope, call)) return false;
+  scope.truth = true;
+  return true;
 }
 
 /// Whether the call has already been True with what its arguments are bound to now.
@@ -293,6 +311,7 @@ bool Machine::MatchFrom(const Instruction& instruction, const FactStore::Fact* f
         choice.version = version;
       }
       ++pc_;
+      matched_ = fact;
       return true;
     }
     while (trail_.size() > mark) {
@@ -332,7 +351,7 @@ bool Machine::TakeBranch(Choice& choice) {
 
 bool Machine::Negate(const Instruction& instruction) {
   ++clauses_;
-  PushScope(instruction.b == 1 ? ScopeKind::kNotOrActing : ScopeKind::kNot);
+  PushScope(instruction.b == 1 ? ScopeKind::kNotOrActing : ScopeKind::kNot).call = pc_;
   PushChoice(ChoiceKind::kNotEnd, instruction.a);
   scope_ = static_cast<Index>(scopes_.size() - 1);
   ++pc_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reasoners/icarus/machine/code.h"
+#include "reasoners/icarus/machine/event.h"
 #include "reasoners/icarus/machine/fact_store.h"
 #include "reasoners/icarus/machine/host.h"
 #include "reasoners/icarus/machine/interpreter.h"
@@ -48,6 +49,8 @@ class Machine {
   bool is_whole() const { return !stopped_; }
   bool is_aborted() const { return options_.faults != FaultMode::kFalse && fault_count_ != 0; }
   SequenceStates& sequences() { return sequences_; }
+  /// Takes effect with the next Run.
+  void SetSink(EventSink* sink) { sink_ = sink; }
 
  private:
   using Index = std::uint32_t;
@@ -72,6 +75,7 @@ class Machine {
     std::uint32_t skill = kNoSkill;
     std::uint32_t depth = 0;
     std::uint32_t state = 0;  ///< kSkill of a sequence.
+    std::uint32_t event = 0;  ///< Number of the event of the skill's call, when traced.
     double value = 0;
     FoundAct* first_act = nullptr;  ///< kStep: found so far. kSkill: the best.
     FoundAct* last_act = nullptr;
@@ -97,6 +101,9 @@ class Machine {
 
   // machine.cc
   bool Step(const Instruction& instruction);
+  template <bool kTraced>
+  void Loop();
+  template <bool kTraced>
   bool Backtrack();
   bool Resume(Choice choice);
   Choice& PushChoice(ChoiceKind kind, Address pc);
@@ -128,7 +135,7 @@ class Machine {
   const PathSkill* MakePath(Index index, Index base, const PathSkill* callers);
   Index SkillAbove(Index index) const;
   void Emit(Index index, FoundAct* act);
-  bool PassSkill(Scope& scope, FoundAct* act) const;
+  bool PassSkill(Index index, FoundAct* act);
   void AcceptAtTop(FoundAct* act);
   bool AfterCall(const Choice& choice);
   const std::uint32_t* BestMeans(const Instruction& instruction, std::uint32_t count);
@@ -148,8 +155,29 @@ class Machine {
   Value Compare(Builtin builtin, const Value& a, const Value& b);
   Value Compute(Builtin builtin, std::span<const Value> arguments);
   Value ChangeMemory(const CallCode& call, Index base);
+  void StoreFact(const CallCode& call, const Value& fact);
   Value Truth(bool truth) const { return truth ? true_ : Value(); }
   void Fail(FormId form, std::string_view message);
+
+  // machine_trace.cc
+  bool traced() const { return sink_ != nullptr; }
+  bool StepTraced(const Instruction& instruction);
+  bool ResumeTraced(const Choice& choice);
+  Event MakeEvent(EventKind kind) const;
+  void Tell(Event& event);
+  void TellClause(EventKind kind, const Instruction& instruction, bool truth, std::size_t mark);
+  void SetBindings(Event& event, std::size_t mark);
+  void TraceCall(const Instruction& instruction, Index caller_base);
+  void TraceExit(Index callee, bool passed, std::size_t mark);
+  void TraceEnded(ChoiceKind kind, const Scope& ended);
+  void TraceMeans(const Instruction& instruction);
+  void TraceStep(std::uint32_t step);
+  void TraceAct(EventKind kind, Index scope, const FoundAct& act);
+  void TraceHost(EventKind kind, const CallCode& call, std::span<const Value> arguments,
+                 const Value& answer, std::string_view error = {});
+  void TraceMemory(EventKind kind, FormId form, const Value& fact);
+  void TraceFault(FormId form, std::string_view message);
+  void TraceEnd();
 
   const CompiledProgram& code_;
   const Program& program_;
@@ -183,6 +211,12 @@ class Machine {
   std::vector<Fault> faults_;
   std::size_t fault_count_ = 0;
   FormId clause_form_ = kNoForm;
+  bool call_ends_ = false;  ///< The end of every call is to be seen.
+
+  EventSink* sink_ = nullptr;
+  std::uint32_t events_ = 0;
+  const FactStore::Fact* matched_ = nullptr;
+  std::vector<Binding> bindings_;
 };
 
 }  // namespace latchwork::icarus

@@ -29,6 +29,7 @@ bool Machine::MakeAct(const Instruction& instruction) {
   auto* const found = ::new (arena_.Allocate(sizeof(FoundAct))) FoundAct;
   found->act = {path->skill, path->arguments, {calls, instruction.b}, path};
   found->value = kNoValue;
+  if (traced()) TraceAct(EventKind::kAct, scope_, *found);
   Emit(scope_, found);
   return false;
 }
@@ -36,11 +37,12 @@ bool Machine::MakeAct(const Instruction& instruction) {
 /// The skill of this scope, whose variables are at `base`.
 const PathSkill* Machine::MakePath(Index index, Index base, const PathSkill* callers) {
   const Scope& scope = scopes_[index];
-  const std::span<Value> arguments = arena_.MakeValues(code_.skills[scope.skill].parameters);
-  std::copy_n(frames_.begin() + base, arguments.size(), arguments.begin());
+  const SkillCode& skill = code_.skills[scope.skill];
+  const std::span<Value> variables = arena_.MakeValues(skill.variables);
+  std::copy_n(frames_.begin() + base, variables.size(), variables.begin());
   const FormId form = code_.instructions[scope.call].form;
   return ::new (arena_.Allocate(sizeof(PathSkill)))
-      PathSkill{scope.skill, form, arguments, callers};
+      PathSkill{scope.skill, form, variables.first(skill.parameters), variables, callers};
 }
 
 /// The callers of a skill, the nearest first. Their variables do not change while it is asked, so
@@ -74,13 +76,14 @@ void Machine::Emit(Index index, FoundAct* act) {
         AcceptAtTop(act);
         return;
       case ScopeKind::kSkill:
-        if (!PassSkill(scope, act)) return;
+        if (!PassSkill(index, act)) return;
         break;
       case ScopeKind::kNot:
         scope.acted = true;
         break;
       case ScopeKind::kNotOrActing:
         scope.acted = true;
+        if (traced()) TraceAct(EventKind::kDropped, index, *act);
         return;
       case ScopeKind::kStep:
         act->next = nullptr;
@@ -91,30 +94,40 @@ void Machine::Emit(Index index, FoundAct* act) {
   }
 }
 
-bool Machine::PassSkill(Scope& scope, FoundAct* act) const {
+bool Machine::PassSkill(Index index, FoundAct* act) {
+  Scope& scope = scopes_[index];
   if (scope.in_objective) scope.any = true;
+  const bool first = !scope.acted;
+  scope.acted = true;
+  FoundAct* dropped = nullptr;
   switch (options_.acts) {
     case ActMode::kAll:
       return true;
-    case ActMode::kFirst: {
-      const bool first = !scope.acted;
-      scope.acted = true;
-      return first;
-    }
+    case ActMode::kFirst:
+      if (first) return true;
+      dropped = act;
+      break;
     case ActMode::kValue:
+      if (scope.has_value) act->value = scope.value;
+      dropped = act;
+      if (first || act->value > scope.first_act->value) std::swap(dropped, scope.first_act);
       break;
   }
-  if (scope.has_value) act->value = scope.value;
-  if (scope.first_act == nullptr || act->value > scope.first_act->value) scope.first_act = act;
+  if (dropped != nullptr && traced()) TraceAct(EventKind::kDropped, index, *dropped);
   return false;
 }
 
 void Machine::AcceptAtTop(FoundAct* act) {
+  FoundAct* dropped = nullptr;
   if (options_.acts == ActMode::kAll || acts_.empty()) {
     acts_.push_back(act);
-  } else if (options_.acts == ActMode::kValue && act->value > acts_[0]->value) {
-    acts_[0] = act;
+  } else {
+    dropped = act;
+    if (options_.acts == ActMode::kValue && act->value > acts_[0]->value) {
+      std::swap(dropped, acts_[0]);
+    }
   }
+  if (dropped != nullptr && traced()) TraceAct(EventKind::kDropped, 0, *dropped);
   if (options_.acts == ActMode::kFirst && options_.lazy && !code_.has_sequences) stopped_ = true;
 }
 

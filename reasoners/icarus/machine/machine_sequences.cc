@@ -20,6 +20,7 @@ bool Machine::StartStep() {
   const SkillCode& skill = code_.skills[scopes_[scope_].skill];
   const Instruction& steps = code_.instructions[skill.entry];
   SequenceStates::State& state = sequences_.at(scopes_[scope_].state);
+  if (traced()) TraceStep(state.step);
   if (state.step >= steps.b) {
     if (options_.restart) {
       state.step = 0;
@@ -58,6 +59,9 @@ bool Machine::AfterStep(const Choice& choice) {
       act = next;
     }
     return false;
+  }
+  for (const FoundAct* act = step.first_act; traced() && act != nullptr; act = act->next) {
+    TraceAct(EventKind::kDropped, choice.scopes - 1, *act);
   }
   SequenceStates::State& state = sequences_.at(scopes_[scope_].state);
   state.environment.assign(step.environment.begin(), step.environment.end());

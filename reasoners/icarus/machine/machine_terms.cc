@@ -158,13 +158,18 @@ Value Machine::CallFunction(std::uint32_t index, Index base) {
 }
 
 Value Machine::AskHost(const CallCode& call, std::span<const Value> arguments) {
+  std::string error;
   try {
-    return host_.Call(call.function, arguments, arena_, names_);
-  } catch (const std::exception& error) {
-    Fail(call.form, "{" + std::string(names_.Name(call.name)) + "}: " + error.what());
+    const Value answer = host_.Call(call.function, arguments, arena_, names_);
+    if (traced()) TraceHost(EventKind::kHost, call, arguments, answer);
+    return answer;
+  } catch (const std::exception& thrown) {
+    error = thrown.what();
   } catch (...) {
-    Fail(call.form, "{" + std::string(names_.Name(call.name)) + "} failed");
+    error = "failed";
   }
+  if (traced()) TraceHost(EventKind::kHost, call, arguments, {}, error);
+  Fail(call.form, "{" + std::string(names_.Name(call.name)) + "}: " + error);
   return {};
 }
 
@@ -172,7 +177,10 @@ Value Machine::CallHost(const CallCode& call, std::span<const Value> arguments) 
   const bool cached = !host_.functions()[call.function].changes_memory;
   if (cached) {
     const Value* const known = cache_.Find(call.function, arguments);
-    if (known != nullptr) return *known;
+    if (known != nullptr) {
+      if (traced()) TraceHost(EventKind::kKnown, call, arguments, *known);
+      return *known;
+    }
   }
   const Value answer = AskHost(call, arguments);
   if (cached) {
@@ -199,7 +207,7 @@ Value Machine::CallBuiltin(const CallCode& call, std::span<const Value> argument
     }
     case Builtin::kStore:
       if (arguments[0].kind != ValueKind::kList) break;
-      if (!memory_.Store(arguments[0])) Fail(call.form, "memory is full");
+      StoreFact(call, arguments[0]);
       return true_;
     case Builtin::kEqual:
     case Builtin::kDiffers:
@@ -265,6 +273,12 @@ Value Machine::Compute(Builtin builtin, std::span<const Value> arguments) {
   return result;
 }
 
+void Machine::StoreFact(const CallCode& call, const Value& fact) {
+  const std::size_t size = memory_.size();
+  if (!memory_.Store(fact)) Fail(call.form, "memory is full");
+  if (traced() && memory_.size() != size) TraceMemory(EventKind::kStore, call.form, fact);
+}
+
 /// {forget pattern} and {update pattern e}: what unifies with the pattern, by itself, goes.
 Value Machine::ChangeMemory(const CallCode& call, Index base) {
   const TermCode& pattern = code_.terms[call.first];
@@ -288,18 +302,25 @@ Value Machine::ChangeMemory(const CallCode& call, Index base) {
     }
     if (!matches) continue;
     if (placed) {
-      if (fresh.is_none() || !Equal(fact->value, fresh)) memory_.Remove(fact);
+      if (!fresh.is_none() && Equal(fact->value, fresh)) continue;
+      memory_.Remove(fact);
+      if (traced()) TraceMemory(EventKind::kForget, call.form, fact->value);
     } else {
+      if (traced() && !Equal(fact->value, fresh)) {
+        TraceMemory(EventKind::kForget, call.form, fact->value);
+        TraceMemory(EventKind::kStore, call.form, fresh);
+      }
       memory_.Replace(fact, fresh);
       placed = true;
     }
   }
-  if (!placed && !memory_.Store(fresh)) Fail(call.form, "memory is full");
+  if (!placed) StoreFact(call, fresh);
   return true_;
 }
 
 void Machine::Fail(FormId form, std::string_view message) {
   ++fault_count_;
+  if (traced()) TraceFault(form, message);
   if (options_.faults != FaultMode::kFalse) stopped_ = true;
   const bool known = std::any_of(faults_.begin(), faults_.end(), [&](const Fault& fault) {
     return fault.form == form && fault.message == message;
