@@ -18,7 +18,7 @@ const Argument kRelative{{"relative_speed", ArgumentType::kReal, "m/s"}, Mode::k
 const Argument kAcceleration{{"acceleration", ArgumentType::kReal, "m/s^2"}, Mode::kOut};
 
 constexpr double kPerSpeed = 0.4;     // 1/s
-constexpr double kPerGap = 0.15;      // 1/s^2
+constexpr double kPerGap = 0.1;      // 1/s^2
 constexpr double kPerRelative = 0.7;  // 1/s
 constexpr double kGentle = 1.5;       // m/s^2
 constexpr double kHardest = 8.0;      // m/s^2
@@ -64,7 +64,7 @@ void Pace::Call(std::span<const logic::Term> inputs, sdk::AttachmentContext& /*c
   const double gap = inputs[2].number();
   const double relative = inputs[3].number();
   const double held = habits_.standstill_gap + habits_.headway * speed;
-  double pace = kPerGap * (gap - held) + kPerRelative * relative;
+  double pace = std::max(kPerGap * (gap - held), -kGentle) + kPerRelative * relative;
   const double needed = Needed(gap, relative);
   if (needed > kGentle) pace = std::min(pace, -1.1 * needed);
   pace = std::min(pace, Free(speed, inputs[1].number()));

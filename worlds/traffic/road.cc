@@ -54,7 +54,7 @@ Driver Road::SomeDriver(std::uint64_t number, bool truck) const {
   const double share = truck ? kTruckSpeed : 0.9;
   Driver driver;
   driver.wanted_speed =
-      setup_.speed_limit * (share + (truck ? 0.03 : 0.09) * random_.Gaussian(number, 1));
+      setup_.speed_limit * (share + (truck ? 0.03 : 0.13) * random_.Gaussian(number, 1));
   driver.wanted_speed =
       std::clamp(driver.wanted_speed, 0.6 * setup_.speed_limit, 1.15 * setup_.speed_limit);
   driver.headway = random_.Between(1.0, 1.7, number, 4);

@@ -113,11 +113,11 @@ std::vector<ParameterSpec> TrafficParameters() {
   return {
       Count("lanes", "3", 1, 6, "of the road, one way"),
       Number("ring", "2000", 500, 20000, "m", "the road is a ring of this length"),
-      Number("density", "12", 0, 30, "1/km", "cars per lane, at least one in each"),
+      Number("density", "8", 0, 30, "1/km", "cars per lane, at least one in each"),
       Number("trucks", "0.15", 0, 1, "", "share of the cars that are long and slow; not leftmost"),
       Number("speed_limit", "30", 5, 50, "m/s", "others like 60 to 115 % of it"),
       Number("exit", "1500", 100, 100000, "m", "length of a trip, from its start to its exit"),
-      Number("slack", "1.3", 1, 100, "",
+      Number("slack", "1.4", 1, 100, "",
              "good time: at most so many times what a trip takes at the speed limit"),
       Count("trips", "1", 1, 100000, "until the run ends; each starts where the last one ended"),
       std::move(end),
