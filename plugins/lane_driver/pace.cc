@@ -18,7 +18,7 @@ const Argument kRelative{{"relative_speed", ArgumentType::kReal, "m/s"}, Mode::k
 const Argument kAcceleration{{"acceleration", ArgumentType::kReal, "m/s^2"}, Mode::kOut};
 
 constexpr double kPerSpeed = 0.4;     // 1/s
-constexpr double kPerGap = 0.1;      // 1/s^2
+constexpr double kPerGap = 0.1;       // 1/s^2
 constexpr double kPerRelative = 0.7;  // 1/s
 constexpr double kGentle = 1.5;       // m/s^2
 constexpr double kHardest = 8.0;      // m/s^2

@@ -158,9 +158,9 @@ void TrafficPicture::DrawChart(Svg& svg) const {
   svg.Line({left, kChartY + 10}, {right, kChartY + 10},
            {.stroke = "#9aa3b2", .width = 0.2, .dash = 2});
   for (const double exit : exits_) {
-    if (exit > frames_.back().distance + 2) continue;
-    svg.Line({ChartX(exit), kChartY}, {ChartX(exit), kChartY + kChartHeight},
-             {.stroke = "#20242c", .width = 0.4});
+    if (exit > frames_.back().distance + 20) continue;
+    const double x = std::min(ChartX(exit), right);
+    svg.Line({x, kChartY}, {x, kChartY + kChartHeight}, {.stroke = "#20242c", .width = 0.4});
   }
   svg.Polyline(lanes, {.stroke = "#d33f49", .width = 0.5});
   svg.Polyline(speeds, {.stroke = "#2f6f9f", .width = 0.5});

@@ -113,8 +113,8 @@ TEST_F(TrafficWorldTest, WrongLaneAtTheExit_IsMissed) {
 TEST_F(TrafficWorldTest, Standing_TakesTooLong) {
   Load({{"lanes", "1"}, {"density", "0"}});
   EXPECT_EQ(RunWith({Accelerate(-3)}), State::kFailed);
-  EXPECT_THAT(world_.outcome().message, HasSubstr("m from the exit after 65 s"));
-  EXPECT_NEAR(Measure("time_s"), 65, 0.11);
+  EXPECT_THAT(world_.outcome().message, HasSubstr("m from the exit after 70 s"));
+  EXPECT_NEAR(Measure("time_s"), 70, 0.11);
 }
 
 TEST_F(TrafficWorldTest, SeveralTrips_GoOnAfterFailuresIfWanted) {
