@@ -69,9 +69,9 @@ bool Prepare(const Settings& settings, Session& session) {
 bool AddTops(const Settings& settings, Session& session) {
   icarus::Findings findings;
   const std::string& first = settings.top.empty() ? session.script.top : settings.top;
-  std::size_t top = icarus::Interpreter::kNoTop;
-  if (!first.empty()) top = session.interpreter->AddTop(first, findings);
-  bool named = !first.empty();
+  std::size_t top = first.empty() ? session.interpreter->AddTop(findings)
+                                  : session.interpreter->AddTop(first, findings);
+  bool named = top != icarus::Interpreter::kNoTop || !first.empty();
   for (const icarus::ScriptCycle& cycle : session.script.cycles) {
     if (cycle.top) top = session.interpreter->AddTop(*cycle.top, findings);
     named = named || cycle.top.has_value();
@@ -80,7 +80,7 @@ bool AddTops(const Settings& settings, Session& session) {
   if (!named) {
     fmt::print(stderr,
                "{}: error: no top call is given\n  hint: write (top (Skill argument ...)) in the "
-               "script, or use --top\n",
+               "program or in the script, or use --top\n",
                settings.script);
   }
   return Accept(settings.script, findings) && named;

@@ -219,9 +219,11 @@ std::optional<Clause> ClauseBuilder::Arguments(Clause clause, const std::vector<
 
 std::optional<Clause> ClauseBuilder::Bind(Clause clause, const std::vector<FormId>& children) {
   clause.kind = ClauseKind::kBind;
-  if (children.size() != 3 || tree_.kind(children[1]) != FormKind::kVariable) {
-    reporter_.Add(Code::kClause, clause.form, "bind takes a variable and a term",
-                  "write (bind ?v term) or (bind ?v {function argument ...})");
+  const FormKind target = children.size() == 3 ? tree_.kind(children[1]) : FormKind::kKeyword;
+  if (target != FormKind::kVariable && target != FormKind::kList) {
+    reporter_.Add(Code::kClause, clause.form,
+                  "bind takes a variable, or a list of them, and a term",
+                  "write (bind ?v term), (bind ?v {function argument ...}) or (bind (?v ?w) ...)");
     return std::nullopt;
   }
   for (std::size_t i = 1; i < 3; ++i) {

@@ -11,7 +11,7 @@ constexpr Severity kError = Severity::kError;
 constexpr Severity kWarning = Severity::kWarning;
 
 /// In the order of Code. A name, once published, keeps its meaning.
-constexpr std::array<CodeInfo, 29> kCodes = {{
+constexpr std::array<CodeInfo, 31> kCodes = {{
     {"I001", kError,
      "A bracket is missing, superfluous or of the wrong kind. Lists stand in ( ), calls of host "
      "functions in { }."},
@@ -21,7 +21,7 @@ constexpr std::array<CodeInfo, 29> kCodes = {{
     {"I003", kError, "Brackets may nest to a depth of 1000."},
     {"I004", kError,
      "A program is made of skills, (NAME (?x ...) :slot ...), of constants, (constant *NAME* "
-     "value), and of initial facts, (facts (head ...) ...)."},
+     "value), of initial facts, (facts (head ...) ...), and of its top call, (top (NAME ...))."},
     {"I005", kError,
      "A skill begins with its name and the list of its parameters, which are different variables: "
      "(Near (?car) ...)."},
@@ -81,6 +81,12 @@ constexpr std::array<CodeInfo, 29> kCodes = {{
      "A script of a world holds (top (Skill argument ...)), (functions name ...) and "
      "(cycle item ...), whose items are (answer {function argument ...} value), (store fact), "
      "(forget pattern), (top call), (idle), (repeat n) and (expect {act} ... true|false|fault)."},
+    {"I030", kError,
+     "A program may name the call that every cycle begins with, once: (top (Skill argument "
+     "...))."},
+    {"I031", kError,
+     "The layer's contract declares facts of this name with another number of arguments, or with "
+     "others, so the match can never succeed."},
 }};
 
 }  // namespace

@@ -46,6 +46,8 @@ enum class Code : std::uint8_t {
   kFunctionArguments,
   kUnknownFunction,
   kScript,
+  kTop,
+  kFactArguments,
 };
 
 enum class Severity : std::uint8_t { kError, kWarning };

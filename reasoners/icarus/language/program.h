@@ -43,7 +43,7 @@ struct Term {
 enum class ClauseKind : std::uint8_t {
   kSkill,        ///< (name arguments)
   kCall,         ///< {function arguments}: one term of kind kCall.
-  kBind,         ///< (bind ?v term): two terms.
+  kBind,         ///< (bind ?v term): two terms, the first a variable or a list.
   kNot,          ///< (*not* inner)
   kNotOrActing,  ///< (*notA* inner)
   kMatch,        ///< (pattern ...): what has no other reading.
@@ -99,6 +99,7 @@ struct Program {
   std::vector<Skill> skills;
   std::vector<Constant> constants;
   std::vector<Term> facts;
+  std::optional<Skill> top;  ///< `(top call)`: a skill without a name whose :requires is the call.
 
   /// The index of the skill with this name, in any case; kNoSkill where there is none.
   std::uint32_t Find(std::string_view name) const;
@@ -114,7 +115,7 @@ struct ProgramFile {
 /// What a program is checked against.
 struct CheckOptions {
   bool strict = false;  ///< Fewer arguments than parameters are an error.
-  std::string top;      ///< The skill the program is started with; empty: not known.
+  std::string top;      ///< The skill the program is started with; empty: as the program says.
 };
 
 ProgramFile ReadProgram(std::string text, std::string file, const CheckOptions& options = {});

@@ -50,6 +50,7 @@ class Builder {
     names_.constants.emplace("*cycle*", kCycleConstant);
     for (const FormId root : tree_.roots) Collect(root);
     for (Skill& skill : program_.skills) Fill(skill);
+    if (program_.top) FillTop(*program_.top);
   }
 
  private:
@@ -67,6 +68,8 @@ class Builder {
       AddConstant(root, children);
     } else if (head == "facts") {
       AddFacts(children);
+    } else if (head == "top") {
+      AddTop(root, children);
     } else {
       AddSkill(root, children);
     }
@@ -106,6 +109,49 @@ class Builder {
       std::optional<Term> fact = clauses_.MakeTerm(children[i], false);
       if (fact) program_.facts.push_back(*std::move(fact));
     }
+  }
+
+  void AddTop(FormId root, const std::vector<FormId>& children) {
+    if (children.size() != 2 || tree_.kind(children[1]) != FormKind::kList) {
+      reporter_.Add(Code::kTop, root, "the top of a program is one call of a skill",
+                    "write (top (Skill argument ...))");
+    } else if (program_.top) {
+      reporter_.Add(Code::kTop, root, "the program has a top already", "take one of them out");
+      reporter_.Note(program_.top->form, "the other top");
+    } else {
+      program_.top.emplace();
+      program_.top->form = root;
+      program_.top->name_form = children[1];
+      program_.top->slot_forms.fill(kNoForm);
+    }
+  }
+
+  /// The skills are known by now.
+  void FillTop(Skill& top) {
+    clauses_.Begin(&top, Code::kTop);
+    std::optional<Clause> call = clauses_.MakeClause(top.name_form, Slot::kRequires);
+    if (!call) return;
+    if (call->kind == ClauseKind::kMatch) {
+      NoSuchTop(call->terms.front());
+    } else if (call->kind != ClauseKind::kSkill) {
+      reporter_.Add(Code::kTop, call->form, "the top of a program is one call of a skill",
+                    "make a skill of it and write (top (Skill argument ...))");
+    } else {
+      top.slots.at(static_cast<std::size_t>(Slot::kRequires)).emplace().push_back(*std::move(call));
+    }
+  }
+
+  void NoSuchTop(const Term& head) {
+    std::vector<std::string> names;
+    for (const Skill& skill : program_.skills) names.push_back(skill.name);
+    const std::string_view nearest = logic::NearestName(head.text, names);
+    std::string hint = "define it: (" + std::string(tree_.Text(head.form)) + " () ...)";
+    if (!nearest.empty()) {
+      hint = "did you mean '" + program_.skills[program_.Find(nearest)].spelling + "'?";
+    }
+    reporter_.Add(Code::kTop, head.form,
+                  "there is no skill '" + std::string(tree_.Text(head.form)) + "'",
+                  std::move(hint));
   }
 
   void AddSkill(FormId root, const std::vector<FormId>& children) {

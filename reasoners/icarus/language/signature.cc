@@ -34,7 +34,8 @@ constexpr std::array<Signature, 16> kBuiltins = {{
 }  // namespace
 
 std::string_view NameOf(ArgumentType type) {
-  constexpr std::array<std::string_view, 4> kNames = {"value", "number", "symbol", "list"};
+  constexpr std::array<std::string_view, 5> kNames = {"a value", "an integer", "a number",
+                                                      "a symbol", "a list"};
   return kNames.at(static_cast<std::size_t>(type));
 }
 

@@ -11,7 +11,8 @@
 
 namespace latchwork::icarus {
 
-enum class ArgumentType : std::uint8_t { kAny, kNumber, kSymbol, kList };
+enum class ArgumentType : std::uint8_t { kAny, kInteger, kNumber, kSymbol, kList };
+/// With its article, "a number".
 std::string_view NameOf(ArgumentType type);
 
 inline constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
@@ -23,6 +24,11 @@ struct Signature {
   std::size_t most = kAnyNumber;
   ArgumentType type = ArgumentType::kAny;  ///< Of every argument.
   bool changes_memory = false;
+  std::span<const ArgumentType> types = {};  ///< Of each argument, where they differ.
+
+  ArgumentType TypeOf(std::size_t argument) const {
+    return argument < types.size() ? types[argument] : type;
+  }
 };
 
 /// The functions that every program may call: {= a b}, {< a b}, {+ a b}, {member e list},

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "reasoners/icarus/language/argument_check.h"
 #include "reasoners/icarus/language/signature.h"
 #include "reasoners/icarus/language/walk.h"
 #include "reasoners/icarus/lint/lint.h"
@@ -15,28 +16,6 @@ namespace {
 
 std::string Count(std::size_t count, std::string_view noun) {
   return std::to_string(count) + ' ' + std::string(noun) + (count == 1 ? "" : "s");
-}
-
-std::string Wanted(const Signature& signature) {
-  if (signature.most == kAnyNumber) return "at least " + Count(signature.least, "argument");
-  if (signature.least == signature.most) return Count(signature.least, "argument");
-  return std::to_string(signature.least) + " to " + Count(signature.most, "argument");
-}
-
-/// Whether what is written can never be of the type.
-bool Offends(const Term& term, ArgumentType type) {
-  switch (term.kind) {
-    case TermKind::kInteger:
-    case TermKind::kReal:
-      return type == ArgumentType::kSymbol || type == ArgumentType::kList;
-    case TermKind::kSymbol:
-    case TermKind::kString:
-      return type == ArgumentType::kNumber || type == ArgumentType::kList;
-    case TermKind::kList:
-      return type == ArgumentType::kNumber || type == ArgumentType::kSymbol;
-    default:
-      return false;
-  }
 }
 
 /// The heads of the facts that a program begins with or stores; `open` when a head is computed.
@@ -130,17 +109,7 @@ class CallLint {
   void CheckCall(const Term& call, Slot slot) {
     const Signature* signature = FindBuiltin(call.text);
     if (signature == nullptr) return;
-    if (call.items.size() < signature->least || call.items.size() > signature->most) {
-      reporter_.Add(Code::kFunctionArguments, call.form,
-                    "{" + call.text + "} takes " + Wanted(*signature) + ", but is called with " +
-                        std::to_string(call.items.size()));
-    }
-    for (const Term& item : call.items) {
-      if (!Offends(item, signature->type)) continue;
-      reporter_.Add(
-          Code::kFunctionArguments, item.form,
-          "{" + call.text + "} takes a " + std::string(NameOf(signature->type)) + " here");
-    }
+    CheckArguments(program_, call, *signature, reporter_);
     if (!signature->changes_memory || slot == Slot::kSensor || slot == Slot::kAction) return;
     reporter_.Add(Code::kEffect, call.form, "{" + call.text + "} changes memory in a condition",
                   "put it into the :sensor or :action of a skill of its own");
@@ -162,6 +131,7 @@ void LintCalls(const Program& program, const CheckOptions& options, Reporter& re
                Findings& findings) {
   CallLint lint(program, options, reporter, findings);
   for (const Skill& skill : program.skills) lint.Check(skill);
+  if (program.top) lint.Check(*program.top);
 }
 
 }  // namespace latchwork::icarus

@@ -24,6 +24,11 @@ std::vector<bool> Called(const Program& program) {
 /// With no top known, the first skill and those that no other calls may be it.
 std::vector<std::uint32_t> Tops(const Program& program, const CheckOptions& options) {
   if (!options.top.empty()) return {program.Find(options.top)};
+  if (program.top) {
+    std::vector<std::uint32_t> named;
+    WalkClauses(*program.top, [&](const Clause& clause, Slot) { named.push_back(clause.skill); });
+    return named;
+  }
   const std::vector<bool> called = Called(program);
   std::vector<std::uint32_t> tops;
   for (std::uint32_t i = 0; i < program.skills.size(); ++i) {

@@ -17,6 +17,7 @@ enum class Op : std::uint8_t {
   kCall,       ///< a: skill. b, c: its arguments, in CompiledProgram::terms.
   kTest,       ///< a: call, in CompiledProgram::calls.
   kBind,       ///< a: slot of the variable. b: term.
+  kTakeApart,  ///< a: pattern, a list. b: term.
   kMatch,      ///< a: name of the head, or kNoName. b, c: the items of the pattern.
   kNot,        ///< a: where to go on. b: 1 for *notA*.
   kNotEnd,     ///< The negated clause is True.

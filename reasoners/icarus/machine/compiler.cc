@@ -2,11 +2,15 @@
 #include "reasoners/icarus/machine/compiler.h"
 
 #include <algorithm>
+#include <functional>
+#include <set>
 #include <utility>
 #include <vector>
 
+#include "reasoners/icarus/language/argument_check.h"
 #include "reasoners/icarus/language/clause_builder.h"
 #include "reasoners/icarus/language/reader.h"
+#include "reasoners/icarus/language/walk.h"
 
 namespace latchwork::icarus {
 
@@ -29,11 +33,11 @@ class Compiler {
     return std::move(code_);
   }
 
-  Address AddTop(const TopCall& top, CompiledProgram& code) {
-    source_ = &top.source;
+  Address AddTop(const Skill& query, const SourceTree& source, CompiledProgram& code) {
+    source_ = &source;
     code_ = std::move(code);
     const Address entry = Here();
-    for (const Clause& clause : *top.query.slot(Slot::kRequires)) AddClause(clause);
+    for (const Clause& clause : *query.slot(Slot::kRequires)) AddClause(clause);
     Emit({Op::kTopEnd});
     code = std::move(code_);
     return entry;
@@ -142,9 +146,10 @@ class Compiler {
         Emit({Op::kTest, AddCall(clause.terms.front()), 0, 0, clause.form});
         break;
       case ClauseKind::kBind:
-        Emit({Op::kBind, clause.terms[0].index, AddTerm(clause.terms[1]), 0, clause.form});
+        AddBind(clause);
         break;
       case ClauseKind::kMatch: {
+        CheckMatch(clause);
         const std::uint32_t first = AddTerms(clause.terms);
         const TermCode& head = code_.terms[first];
         const bool symbol =
@@ -161,6 +166,16 @@ class Compiler {
         Emit({Op::kNotEnd});
         code_.instructions[at].a = Here();
       }
+    }
+  }
+
+  void AddBind(const Clause& clause) {
+    const Term& target = clause.terms[0];
+    if (target.kind == TermKind::kVariable) {
+      Emit({Op::kBind, target.index, AddTerm(clause.terms[1]), 0, clause.form});
+    } else {
+      const std::uint32_t pattern = AddTerm(target);
+      Emit({Op::kTakeApart, pattern, AddTerm(clause.terms[1]), 0, clause.form});
     }
   }
 
@@ -258,7 +273,11 @@ class Compiler {
     made.name = names_.Intern(term.text);
     made.count = static_cast<std::uint32_t>(term.items.size());
     made.first = AddTerms(term.items);
-    if (!act) Resolve(term, made);
+    if (act) {
+      CheckAct(term);
+    } else {
+      Resolve(term, made);
+    }
     return made;
   }
 
@@ -269,32 +288,74 @@ class Compiler {
       return;
     }
     const auto functions = host_.functions();
-    const auto found = std::find_if(functions.begin(), functions.end(),
-                                    [&](const Signature& s) { return s.name == term.text; });
-    if (found == functions.end()) {
-      UnknownFunction(term);
-      return;
+    if (const Signature* const found = FindSignature(functions, term.text, term.items.size())) {
+      made.function = static_cast<std::uint32_t>(found - functions.data());
+      Check(term, *found);
+    } else {
+      UnknownFunction(term, functions);
     }
-    made.function = static_cast<std::uint32_t>(found - functions.begin());
-    if (made.count >= found->least && made.count <= found->most) return;
-    Report(Code::kFunctionArguments, term,
-           "{" + term.text + "} is called with " + std::to_string(made.count) +
-               " arguments, which the host does not offer",
-           "");
   }
 
-  void UnknownFunction(const Term& term) {
+  void CheckAct(const Term& term) {
+    const auto acts = host_.acts();
+    const Signature* const builtin = FindBuiltin(term.text);
+    if (!acts || (builtin != nullptr && builtin->changes_memory)) return;
+    if (const Signature* const found = FindSignature(*acts, term.text, term.items.size())) {
+      Check(term, *found);
+    } else {
+      UnknownFunction(term, *acts);
+    }
+  }
+
+  void Check(const Term& term, const Signature& signature) {
+    Reporter reporter(Source(), findings_);
+    CheckArguments(program_, term, signature, reporter);
+  }
+
+  void CheckMatch(const Clause& clause) {
+    const Term& head = clause.terms.front();
+    if (head.kind != TermKind::kSymbol || IsStored(head.text)) return;
+    const Signature* const found = FindSignature(host_.facts(), head.text, clause.terms.size() - 1);
+    if (found == nullptr) return;
+    Reporter reporter(Source(), findings_);
+    CheckPattern(program_, clause, *found, reporter);
+  }
+
+  /// Whether the program itself has facts of this name.
+  bool IsStored(std::string_view name) {
+    if (!stored_) {
+      stored_.emplace();
+      for (const Term& fact : program_.facts) AddStored(fact);
+      for (const Skill& skill : program_.skills) {
+        WalkTerms(skill, [&](const Term& term, Slot) {
+          const bool stores = term.kind == TermKind::kCall && !term.items.empty() &&
+                              (term.text == "store" || term.text == "update");
+          if (stores) AddStored(term.items.back());
+        });
+      }
+    }
+    return stored_->contains(name);
+  }
+
+  void AddStored(const Term& fact) {
+    if (!fact.items.empty() && fact.items.front().kind == TermKind::kSymbol) {
+      stored_->insert(fact.items.front().text);
+    }
+  }
+
+  void UnknownFunction(const Term& term, std::span<const Signature> functions) {
     std::vector<std::string> known;
-    for (const Signature& s : host_.functions()) known.emplace_back(s.name);
+    for (const Signature& s : functions) known.emplace_back(s.name);
     for (const Signature& s : BuiltinSignatures()) known.emplace_back(s.name);
     const std::string_view nearest = logic::NearestName(term.text, known);
     Report(Code::kUnknownFunction, term, "the host offers no function {" + term.text + "}",
            nearest.empty() ? "" : "did you mean {" + std::string(nearest) + "}?");
   }
 
+  const SourceTree& Source() const { return source_ == nullptr ? program_.source : *source_; }
+
   void Report(Code code, const Term& term, std::string message, std::string hint) {
-    Reporter(source_ == nullptr ? program_.source : *source_, findings_)
-        .Add(code, term.form, std::move(message), std::move(hint));
+    Reporter(Source(), findings_).Add(code, term.form, std::move(message), std::move(hint));
   }
 
   const Program& program_;
@@ -303,6 +364,7 @@ class Compiler {
   Arena& arena_;
   Findings& findings_;
   const SourceTree* source_ = nullptr;
+  std::optional<std::set<std::string, std::less<>>> stored_;
   std::vector<Value> constants_;
   CompiledProgram code_;
 };
@@ -314,11 +376,12 @@ CompiledProgram Compile(const Program& program, const Host& host, NamePool& name
   return Compiler(program, host, names, arena, findings).Run();
 }
 
-Address CompileTop(const Program& program, const TopCall& top, const Host& host,
-                   CompiledProgram& code, NamePool& names, Arena& arena, Findings& findings) {
+Address CompileTop(const Program& program, const Skill& query, const SourceTree& source,
+                   const Host& host, CompiledProgram& code, NamePool& names, Arena& arena,
+                   Findings& findings) {
   Compiler compiler(program, host, names, arena, findings);
   compiler.AddConstants();
-  return compiler.AddTop(top, code);
+  return compiler.AddTop(query, source, code);
 }
 
 TopCall ReadTop(const Program& program, std::string text, Findings& findings) {

@@ -24,9 +24,10 @@ TopCall ReadTop(const Program& program, std::string text, Findings& findings);
 CompiledProgram Compile(const Program& program, const Host& host, NamePool& names, Arena& arena,
                         Findings& findings);
 
-/// Adds a top call to a compiled program; where it begins.
-Address CompileTop(const Program& program, const TopCall& top, const Host& host,
-                   CompiledProgram& code, NamePool& names, Arena& arena, Findings& findings);
+/// Adds a top call, the :requires of `query`, to a compiled program; where it begins.
+Address CompileTop(const Program& program, const Skill& query, const SourceTree& source,
+                   const Host& host, CompiledProgram& code, NamePool& names, Arena& arena,
+                   Findings& findings);
 
 }  // namespace latchwork::icarus
 

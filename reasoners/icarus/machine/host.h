@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -19,6 +20,11 @@ class Host {
 
   /// The functions that a program may call, in an order that stays.
   virtual std::span<const Signature> functions() const = 0;
+  /// What an :action may call, besides changes of memory; nothing: whatever it likes.
+  virtual std::optional<std::span<const Signature>> acts() const { return std::nullopt; }
+  /// The facts that the host writes into memory: names with their arguments. Others are not
+  /// checked.
+  virtual std::span<const Signature> facts() const { return {}; }
   /// The answer of `functions()[function]` for these ground arguments: none is False. Lists of the
   /// answer may be made in `arena`, names in `names`. Asked once per cycle for the same arguments,
   /// unless the function is declared to change memory. An exception is contained as a fault.

@@ -72,6 +72,13 @@ struct Interpreter::Implementation {
     for (const Value& fact : code.facts) memory.Store(fact);
   }
 
+  std::size_t AddTop(const Skill& query, const SourceTree& source, Findings& new_findings) {
+    const Address entry =
+        CompileTop(program, query, source, host, code, names, constants, new_findings);
+    tops.push_back({entry, query.variables});
+    return tops.size() - 1;
+  }
+
   void Issue() {
     std::swap(issued[0], issued[1]);
     Issued& now = issued[0];
@@ -117,10 +124,13 @@ std::size_t Interpreter::AddTop(std::string text, Findings& findings) {
   Implementation& own = *implementation_;
   const TopCall top = ReadTop(own.program, std::move(text), findings);
   if (HasErrors(findings)) return kNoTop;
-  const Address entry =
-      CompileTop(own.program, top, own.host, own.code, own.names, own.constants, findings);
-  own.tops.push_back({entry, top.query.variables});
-  return own.tops.size() - 1;
+  return own.AddTop(top.query, top.source, findings);
+}
+
+std::size_t Interpreter::AddTop(Findings& findings) {
+  Implementation& own = *implementation_;
+  if (!own.program.top) return kNoTop;
+  return own.AddTop(*own.program.top, own.program.source, findings);
 }
 
 std::span<const std::string> Interpreter::TopVariables(std::size_t top) const {
@@ -128,6 +138,13 @@ std::span<const std::string> Interpreter::TopVariables(std::size_t top) const {
 }
 
 const CycleResult& Interpreter::Cycle(std::size_t top) {
+  CycleLimits limits;
+  limits.depth = implementation_->options.max_depth;
+  limits.clauses = implementation_->options.max_clauses;
+  return Cycle(top, limits);
+}
+
+const CycleResult& Interpreter::Cycle(std::size_t top, const CycleLimits& limits) {
   Implementation& own = *implementation_;
   Machine& machine = own.machine;
   own.memory.Tidy();
@@ -135,7 +152,7 @@ const CycleResult& Interpreter::Cycle(std::size_t top) {
   const bool called = top != kNoTop && !own.halted;
   const std::uint32_t variables =
       called ? static_cast<std::uint32_t>(own.tops.at(top).variables.size()) : 0;
-  machine.Run(called ? own.tops[top].entry : 0, variables, own.cycle);
+  machine.Run(called ? own.tops[top].entry : 0, variables, own.cycle, limits);
   own.halted = own.halted || (own.options.faults == FaultMode::kStop && machine.is_aborted());
   machine.sequences().EndCycle(own.cycle, machine.is_whole());
   own.Issue();
@@ -149,6 +166,8 @@ const CycleResult& Interpreter::Cycle(std::size_t top) {
   result.clauses = machine.clauses();
   result.is_whole = machine.is_whole();
   result.is_aborted = own.halted || machine.is_aborted();
+  result.depth = machine.depth();
+  result.limit = machine.limit();
   return result;
 }
 

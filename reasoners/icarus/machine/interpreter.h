@@ -2,9 +2,12 @@
 #ifndef LATCHWORK_ICARUS_INTERPRETER_H_
 #define LATCHWORK_ICARUS_INTERPRETER_H_
 
+#include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,6 +41,18 @@ struct RunOptions {
   bool restart = false;  ///< A finished sequence starts again.
   FaultMode faults = FaultMode::kFalse;
 };
+
+/// What one cycle may spend; polled every few hundred clauses.
+struct CycleLimits {
+  std::uint32_t depth = 1000;
+  std::uint64_t clauses = 1'000'000;
+  const std::atomic<bool>* cancelled = nullptr;
+  std::optional<std::chrono::steady_clock::time_point> deadline;
+};
+
+/// Which of its limits a cycle came to. At that of depth the innermost call is False and the cycle
+/// goes on; every other ends it.
+enum class LimitHit : std::uint8_t { kNone, kDepth, kClauses, kTime, kCancelled };
 
 struct ActCall {
   NameId function = kNoName;
@@ -82,8 +97,10 @@ struct CycleResult {
   std::span<const Fault> faults;  ///< The first few.
   std::size_t fault_count = 0;
   std::uint64_t clauses = 0;  ///< Evaluated.
-  bool is_whole = true;       ///< Not ended by the first act, by the budget or by a fault.
-  bool is_aborted = false;    ///< By a fault, with kAbortCycle and kStop: no acts, not True.
+  std::uint32_t depth = 0;    ///< Of the skills that called each other.
+  LimitHit limit = LimitHit::kNone;
+  bool is_whole = true;     ///< Not ended by the first act, by a limit or by a fault.
+  bool is_aborted = false;  ///< By a fault, with kAbortCycle and kStop: no acts, not True.
 };
 
 /// Runs a program, one cycle after the other. Within a cycle nothing is allocated once memory has
@@ -105,12 +122,16 @@ class Interpreter {
   /// Reads a top call, `(CollideWithCar car54)`, and gives it a number. With new errors in
   /// `findings` there is no such number.
   std::size_t AddTop(std::string text, Findings& findings);
+  /// The top call that the program names; kNoTop when it names none.
+  std::size_t AddTop(Findings& findings);
   /// The names of the variables of a top call, as they stand in CycleResult::values.
   std::span<const std::string> TopVariables(std::size_t top) const;
 
   static constexpr std::size_t kNoTop = static_cast<std::size_t>(-1);
-  /// Evaluates a top call once; kNoTop: the program is not called in this cycle.
+  /// Evaluates a top call once; kNoTop: the program is not called in this cycle. Within the limits
+  /// of the options, unless others are given.
   const CycleResult& Cycle(std::size_t top);
+  const CycleResult& Cycle(std::size_t top, const CycleLimits& limits);
   /// Who is told what happens in the cycles to come; null: nobody, which costs nothing.
   void SetSink(EventSink* sink);
   /// Number of the last cycle; the first is 1.

@@ -16,7 +16,8 @@ Machine::Machine(const CompiledProgram& code, const Program& program, Host& host
       memory_(memory),
       true_(Value::Symbol(names.Intern("t"))) {}
 
-void Machine::Run(Address entry, std::uint32_t variables, std::uint64_t cycle) {
+void Machine::Run(Address entry, std::uint32_t variables, std::uint64_t cycle,
+                  const CycleLimits& limits) {
   arena_.Reset();
   cache_.Clear();
   acts_.clear();
@@ -24,7 +25,10 @@ void Machine::Run(Address entry, std::uint32_t variables, std::uint64_t cycle) {
   environments_ = 0;
   faults_.clear();
   fault_count_ = 0;
-  clauses_ = 0;
+  clauses_ = next_check_ = 0;
+  depth_ = 0;
+  limits_ = limits;
+  limit_ = LimitHit::kNone;
   stopped_ = false;
   trail_.clear();
   choices_.clear();
@@ -63,18 +67,43 @@ void Machine::DiscardOutcome() {
   environment_values_.clear();
 }
 
+/// Once in a while; false: a limit was hit, and the clause that it is asked for is not evaluated.
+bool Machine::CheckLimits(FormId form) {
+  constexpr std::uint64_t kInterval = 256;
+  if (clauses_ > limits_.clauses) {
+    Stop(LimitHit::kClauses, form, "the cycle evaluates more clauses than the limit");
+  } else if (limits_.cancelled != nullptr && limits_.cancelled->load(std::memory_order_relaxed)) {
+    Stop(LimitHit::kCancelled, form, "the cycle was cancelled");
+  } else if (limits_.deadline && std::chrono::steady_clock::now() >= *limits_.deadline) {
+    Stop(LimitHit::kTime, form, "the cycle has no time left");
+  } else {
+    next_check_ = std::min(clauses_ + kInterval, limits_.clauses);
+    return true;
+  }
+  return false;
+}
+
+void Machine::Stop(LimitHit limit, FormId form, std::string_view message) {
+  --clauses_;
+  limit_ = limit;
+  stopped_ = true;
+  Fail(form, message);
+}
+
 /// False: this way has come to its end.
 bool Machine::Step(const Instruction& instruction) {
   switch (instruction.op) {
     case Op::kCall:
       return Call(instruction);
     case Op::kTest:
-      ++clauses_;
+      if (!Spend(instruction.form)) return false;
       clause_form_ = instruction.form;
       ++pc_;
       return !CallFunction(instruction.a, base_).is_none();
     case Op::kBind:
       return Bind(instruction);
+    case Op::kTakeApart:
+      return TakeApart(instruction);
     case Op::kMatch:
       return Match(instruction);
     case Op::kNot:
@@ -138,7 +167,7 @@ Machine::Index Machine::PushFrame(std::uint32_t variables) {
 
 template <bool kTraced>
 bool Machine::Backtrack() {
-  while (!choices_.empty()) {
+  while (!choices_.empty() && !stopped_) {
     const Choice choice = choices_.back();
     while (trail_.size() > choice.trail) {
       frames_[trail_.back()] = Value();
@@ -149,7 +178,6 @@ bool Machine::Backtrack() {
     scope_ = choice.scope;
     base_ = choice.base;
     if (kTraced ? ResumeTraced(choice) : Resume(choice)) return true;
-    if (stopped_) return false;
   }
   return false;
 }
@@ -160,9 +188,8 @@ bool Machine::Resume(Choice choice) {
   choices_.pop_back();
   switch (choice.kind) {
     case ChoiceKind::kMatch:
-      ++clauses_;
       pc_ = choice.pc;
-      return IsWithinLimit(code_.instructions[pc_]) &&
+      return Spend(code_.instructions[pc_].form) &&
              MatchFrom(code_.instructions[pc_], choice.fact, choice.version);
     case ChoiceKind::kObjective:
       scopes_[scope_].in_objective = false;
@@ -180,22 +207,15 @@ bool Machine::Resume(Choice choice) {
   }
 }
 
-/// Beyond the limit of clauses the cycle is over.
-bool Machine::IsWithinLimit(const Instruction& instruction) {
-  if (clauses_ <= options_.max_clauses) return true;
-  Fail(instruction.form, "the cycle evaluates more clauses than the limit");
-  stopped_ = true;
-  return false;
-}
-
 bool Machine::Call(const Instruction& instruction) {
-  ++clauses_;
+  if (!Spend(instruction.form)) return false;
   const std::uint32_t depth = scopes_[scope_].depth + 1;
-  if (depth > options_.max_depth) {
+  if (depth > limits_.depth) {
+    if (limit_ == LimitHit::kNone) limit_ = LimitHit::kDepth;
     Fail(instruction.form, "skills call each other deeper than the limit");
     return false;
   }
-  if (!IsWithinLimit(instruction)) return false;
+  depth_ = std::max(depth_, depth);
   const SkillCode& skill = code_.skills[instruction.a];
   const Index caller = base_;
   PushScope(ScopeKind::kSkill);
@@ -279,7 +299,7 @@ void Machine::CollectVariables(const TermCode& term, Index base) {
 }
 
 bool Machine::Match(const Instruction& instruction) {
-  ++clauses_;
+  if (!Spend(instruction.form)) return false;
   NameId head = instruction.a;
   if (head == kNoName) {
     const Value value = Evaluate(code_.terms[instruction.b], base_);
@@ -350,7 +370,7 @@ bool Machine::TakeBranch(Choice& choice) {
 }
 
 bool Machine::Negate(const Instruction& instruction) {
-  ++clauses_;
+  if (!Spend(instruction.form)) return false;
   PushScope(instruction.b == 1 ? ScopeKind::kNotOrActing : ScopeKind::kNot).call = pc_;
   PushChoice(ChoiceKind::kNotEnd, instruction.a);
   scope_ = static_cast<Index>(scopes_.size() - 1);

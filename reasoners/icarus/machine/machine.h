@@ -37,7 +37,7 @@ class Machine {
           const RunOptions& options, NamePool& names, FactStore& memory);
 
   /// Whole outcome of the call at `entry`, in `acts`, `environments` and `faults`.
-  void Run(Address entry, std::uint32_t variables, std::uint64_t cycle);
+  void Run(Address entry, std::uint32_t variables, std::uint64_t cycle, const CycleLimits& limits);
 
   const std::vector<FoundAct*>& acts() const { return acts_; }
   /// The values of the top call's variables, one environment after the other.
@@ -46,6 +46,9 @@ class Machine {
   const std::vector<Fault>& faults() const { return faults_; }
   std::size_t fault_count() const { return fault_count_; }
   std::uint64_t clauses() const { return clauses_; }
+  /// Of the skills that called each other.
+  std::uint32_t depth() const { return depth_; }
+  LimitHit limit() const { return limit_; }
   bool is_whole() const { return !stopped_; }
   bool is_aborted() const { return options_.faults != FaultMode::kFalse && fault_count_ != 0; }
   SequenceStates& sequences() { return sequences_; }
@@ -100,6 +103,9 @@ class Machine {
   };
 
   // machine.cc
+  bool Spend(FormId form) { return clauses_++ < next_check_ || CheckLimits(form); }
+  bool CheckLimits(FormId form);
+  void Stop(LimitHit limit, FormId form, std::string_view message);
   bool Step(const Instruction& instruction);
   template <bool kTraced>
   void Loop();
@@ -109,7 +115,6 @@ class Machine {
   Choice& PushChoice(ChoiceKind kind, Address pc);
   Scope& PushScope(ScopeKind kind);
   Index PushFrame(std::uint32_t variables);
-  bool IsWithinLimit(const Instruction& instruction);
   bool Call(const Instruction& instruction);
   bool Exit();
   bool IsRepeated(Scope& scope, const Instruction& call);
@@ -146,6 +151,7 @@ class Machine {
   Value EvaluateList(const TermCode& term, Index base);
   bool Unify(const TermCode& term, const Value& value, Index base);
   bool Bind(const Instruction& instruction);
+  bool TakeApart(const Instruction& instruction);
   void SetVariable(Index at, const Value& value);
   Value CallFunction(std::uint32_t index, Index base);
   bool PushArguments(const CallCode& call, Index base);
@@ -202,6 +208,10 @@ class Machine {
   Index scope_ = 0;
   std::uint64_t cycle_ = 0;
   std::uint64_t clauses_ = 0;
+  std::uint64_t next_check_ = 0;  ///< Number of clauses after which the limits are looked at.
+  std::uint32_t depth_ = 0;
+  CycleLimits limits_;
+  LimitHit limit_ = LimitHit::kNone;
   bool stopped_ = false;
   std::uint32_t top_variables_ = 0;
 

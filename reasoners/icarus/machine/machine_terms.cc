@@ -108,7 +108,7 @@ bool Machine::Unify(const TermCode& term, const Value& value, Index base) {
 }
 
 bool Machine::Bind(const Instruction& instruction) {
-  ++clauses_;
+  if (!Spend(instruction.form)) return false;
   clause_form_ = instruction.form;
   ++pc_;
   const TermCode& term = code_.terms[instruction.b];
@@ -123,6 +123,19 @@ bool Machine::Bind(const Instruction& instruction) {
   }
   SetVariable(base_ + instruction.a, bound);
   return true;
+}
+
+bool Machine::TakeApart(const Instruction& instruction) {
+  if (!Spend(instruction.form)) return false;
+  clause_form_ = instruction.form;
+  ++pc_;
+  const TermCode& term = code_.terms[instruction.b];
+  const Value value = Evaluate(term, base_);
+  if (!value.is_none()) return Unify(code_.terms[instruction.a], value, base_);
+  if (term.kind != TermCode::Kind::kCall) {
+    Fail(instruction.form, "nothing to bind the variables to");
+  }
+  return false;
 }
 
 /// Appends the arguments to `scratch_`; false, and nothing appended, when one has no value.

@@ -76,6 +76,11 @@ void Reference::Ask(const Clause& clause, const Environment& environment, const 
       if (Evaluate(clause.terms[0], environment)) emit({false, environment, "", 0});
       break;
     case ClauseKind::kBind: {
+      if (clause.terms[0].kind != TermKind::kVariable) {
+        const std::optional<Datum> value = Evaluate(clause.terms[1], environment);
+        if (value && Unify(clause.terms[0], *value, bound)) emit({false, bound, "", 0});
+        break;
+      }
       std::optional<Datum>& variable = bound[clause.terms[0].index];
       const std::optional<Datum> old = variable;
       if (old) {
