@@ -21,6 +21,7 @@ Body ContractBody(const Contract& contract, std::string_view language,
                   logic::SymbolTable& symbols) {
   Body body;
   body.language = language;
+  body.contract = contract;
   for (const PortSpec& port : contract.inputs) {
     for (const PredicateSpec& predicate : port.predicates) {
       body.inputs.push_back({symbols.Intern(predicate.name), predicate.arguments.size()});

@@ -11,7 +11,7 @@ constexpr Severity kError = Severity::kError;
 constexpr Severity kWarning = Severity::kWarning;
 
 /// In the order of Code. A name, once published, keeps its meaning.
-constexpr std::array<CodeInfo, 31> kCodes = {{
+constexpr std::array<CodeInfo, 32> kCodes = {{
     {"I001", kError,
      "A bracket is missing, superfluous or of the wrong kind. Lists stand in ( ), calls of host "
      "functions in { }."},
@@ -87,6 +87,10 @@ constexpr std::array<CodeInfo, 31> kCodes = {{
     {"I031", kError,
      "The layer's contract declares facts of this name with another number of arguments, or with "
      "others, so the match can never succeed."},
+    {"I032", kError,
+     "In a layer it is known which facts memory may hold: those of the contract, the parameters "
+     "and what the program stores. The clause is neither a match of one of them nor the call of "
+     "a skill."},
 }};
 
 }  // namespace

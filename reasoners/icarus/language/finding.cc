@@ -19,8 +19,9 @@ bool Waives(std::string_view comment, std::string_view code) {
 bool IsWaived(const SourceTree& tree, const Finding& finding) {
   if (finding.severity == Severity::kError) return false;
   return std::any_of(tree.comments.begin(), tree.comments.end(), [&](const Comment& comment) {
-    const std::uint32_t line = finding.diagnostic.place.line;
-    return (comment.line == line || comment.line + 1 == line) &&
+    const logic::SourcePlace at = tree.PlaceAt(comment.line, 1);
+    const logic::SourcePlace& place = finding.diagnostic.place;
+    return at.file == place.file && (at.line == place.line || at.line + 1 == place.line) &&
            Waives(tree.Text(comment), Info(finding.code).name);
   });
 }
@@ -64,7 +65,7 @@ void Reporter::AddAt(Code code, std::uint32_t offset, std::uint32_t line, std::u
   Finding finding;
   finding.code = code;
   finding.severity = Info(code).severity;
-  finding.diagnostic.place = {tree_.file, line, column};
+  finding.diagnostic.place = tree_.PlaceAt(line, column);
   finding.diagnostic.message = std::move(message);
   finding.diagnostic.hint = std::move(hint);
   finding.diagnostic.excerpt = tree_.LineAt(offset);
@@ -84,7 +85,8 @@ void Settle(const SourceTree& tree, Findings& findings) {
   std::erase_if(findings, [&](const Finding& finding) { return IsWaived(tree, finding); });
   std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
     const auto key = [](const Finding& f) {
-      return std::tuple(f.diagnostic.place.line, f.diagnostic.place.column, f.code);
+      return std::tuple(std::string_view(f.diagnostic.place.file), f.diagnostic.place.line,
+                        f.diagnostic.place.column, f.code);
     };
     return key(a) < key(b);
   });

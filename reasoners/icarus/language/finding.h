@@ -48,6 +48,7 @@ enum class Code : std::uint8_t {
   kScript,
   kTop,
   kFactArguments,
+  kNoSuchFact,
 };
 
 enum class Severity : std::uint8_t { kError, kWarning };

@@ -17,10 +17,11 @@ std::uint32_t Program::Find(std::string_view name) const {
   return found == skills.end() ? kNoSkill : static_cast<std::uint32_t>(found - skills.begin());
 }
 
-ProgramFile ReadProgram(std::string text, std::string file, const CheckOptions& options) {
-  ProgramFile result;
+namespace {
+
+/// Builds and checks what was read.
+void Finish(ProgramFile& result, const CheckOptions& options) {
   Program& program = result.program;
-  program.source = ReadForms(std::move(text), std::move(file), result.findings);
   BuildProgram(program, result.findings);
   Reporter reporter(program.source, result.findings);
   if (!HasErrors(result.findings)) {
@@ -30,6 +31,23 @@ ProgramFile ReadProgram(std::string text, std::string file, const CheckOptions& 
     LintSpelling(program, reporter);
   }
   Settle(program.source, result.findings);
+}
+
+}  // namespace
+
+ProgramFile ReadProgram(std::string text, std::string file, const CheckOptions& options) {
+  ProgramFile result;
+  result.program.source = ReadForms(std::move(text), std::move(file), result.findings);
+  Finish(result, options);
+  return result;
+}
+
+ProgramFile ReadProgram(std::string text, std::vector<SourcePart> parts) {
+  ProgramFile result;
+  result.program.source =
+      ReadForms(std::move(text), parts.empty() ? "" : parts.front().file, result.findings);
+  result.program.source.parts = std::move(parts);
+  Finish(result, {});
   return result;
 }
 

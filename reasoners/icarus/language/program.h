@@ -119,6 +119,8 @@ struct CheckOptions {
 };
 
 ProgramFile ReadProgram(std::string text, std::string file, const CheckOptions& options = {});
+/// Of a text that was put together from `parts`, none of which has errors of syntax.
+ProgramFile ReadProgram(std::string text, std::vector<SourcePart> parts);
 
 }  // namespace latchwork::icarus
 

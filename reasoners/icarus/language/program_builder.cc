@@ -68,8 +68,8 @@ class Builder {
       AddConstant(root, children);
     } else if (head == "facts") {
       AddFacts(children);
-    } else if (head == "top") {
-      AddTop(root, children);
+    } else if (tree_.IsTop(root)) {
+      AddTop(root, children[1]);
     } else {
       AddSkill(root, children);
     }
@@ -111,19 +111,16 @@ class Builder {
     }
   }
 
-  void AddTop(FormId root, const std::vector<FormId>& children) {
-    if (children.size() != 2 || tree_.kind(children[1]) != FormKind::kList) {
-      reporter_.Add(Code::kTop, root, "the top of a program is one call of a skill",
-                    "write (top (Skill argument ...))");
-    } else if (program_.top) {
+  void AddTop(FormId root, FormId call) {
+    if (program_.top) {
       reporter_.Add(Code::kTop, root, "the program has a top already", "take one of them out");
       reporter_.Note(program_.top->form, "the other top");
-    } else {
-      program_.top.emplace();
-      program_.top->form = root;
-      program_.top->name_form = children[1];
-      program_.top->slot_forms.fill(kNoForm);
+      return;
     }
+    program_.top.emplace();
+    program_.top->form = root;
+    program_.top->name_form = call;
+    program_.top->slot_forms.fill(kNoForm);
   }
 
   /// The skills are known by now.

@@ -132,6 +132,43 @@ class Reader {
   std::vector<Open> open_;
 };
 
+/// Bytes of the UTF-8 character at `at`; 0 where there is none.
+std::size_t CharacterLength(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  const unsigned lead = byte(at);
+  const std::size_t length = lead < 0x80 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
+  if (length > 1 && (lead < 0xc2 || lead > 0xf4)) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(at + i) & 0xc0U) != 0x80) return 0;
+  }
+  const unsigned next = byte(at + 1);
+  const bool overlong = (lead == 0xe0 && next < 0xa0) || (lead == 0xf0 && next < 0x90);
+  const bool outside = (lead == 0xed && next > 0x9f) || (lead == 0xf4 && next > 0x8f);
+  return overlong || outside ? 0 : length;
+}
+
+bool IsText(const SourceTree& tree, Findings& findings) {
+  std::size_t line_start = 0;
+  std::uint32_t line = 1;
+  for (std::size_t at = 0; at < tree.text.size();) {
+    const std::size_t length = CharacterLength(tree.text, at);
+    if (length == 0) {
+      Reporter(tree, findings)
+          .AddAt(Code::kToken, static_cast<std::uint32_t>(at), line,
+                 static_cast<std::uint32_t>(at - line_start + 1), "this byte is no UTF-8",
+                 "save the file as UTF-8");
+      return false;
+    }
+    at += length;
+    if (tree.text[at - 1] != '\n') continue;
+    ++line;
+    line_start = at;
+  }
+  return true;
+}
+
 }  // namespace
 
 SourceTree ReadForms(std::string text, std::string file, Findings& findings) {
@@ -143,7 +180,7 @@ SourceTree ReadForms(std::string text, std::string file, Findings& findings) {
     return tree;
   }
   tree.text = std::move(text);
-  Reader(tree, findings).ReadAll();
+  if (IsText(tree, findings)) Reader(tree, findings).ReadAll();
   return tree;
 }
 

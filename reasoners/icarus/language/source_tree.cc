@@ -2,6 +2,7 @@
 #include "reasoners/icarus/language/source_tree.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace latchwork::icarus {
 
@@ -45,7 +46,26 @@ std::vector<FormId> SourceTree::Children(FormId id) const {
   return children;
 }
 
-logic::SourcePlace SourceTree::Place(FormId id) const { return {file, at(id).line, at(id).column}; }
+bool SourceTree::IsTop(FormId root) const {
+  const FormId head = at(root).first_child;
+  if (kind(root) != FormKind::kList || head == kNoForm || Folded(head) != "top") return false;
+  const FormId call = at(head).next_sibling;
+  return call != kNoForm && kind(call) == FormKind::kList && at(call).first_child != kNoForm &&
+         at(call).next_sibling == kNoForm;
+}
+
+logic::SourcePlace SourceTree::Place(FormId id) const {
+  return PlaceAt(at(id).line, at(id).column);
+}
+
+logic::SourcePlace SourceTree::PlaceAt(std::uint32_t line, std::uint32_t column) const {
+  const auto next =
+      std::upper_bound(parts.begin(), parts.end(), line,
+                       [](std::uint32_t l, const SourcePart& part) { return l < part.first_line; });
+  if (next == parts.begin()) return {file, line, column};
+  const SourcePart& part = *std::prev(next);
+  return {part.file, line - part.first_line + 1, column};
+}
 
 std::string_view SourceTree::LineAt(std::size_t offset) const {
   const std::string_view all = text;

@@ -51,9 +51,16 @@ struct Comment {
   std::uint32_t line = 1;
 };
 
+/// Where, in a text that was put together from several, one of them begins.
+struct SourcePart {
+  std::uint32_t first_line = 1;
+  std::string file;
+};
+
 /// A file as it was written: the forms as a flat tree, and the comments in order.
 struct SourceTree {
   std::string file;
+  std::vector<SourcePart> parts;  ///< By their first lines; none: all is of `file`.
   std::string text;
   std::vector<Form> forms;
   std::vector<FormId> roots;
@@ -69,7 +76,11 @@ struct SourceTree {
   /// What a string stands for: without quotes and escapes.
   std::string Unquoted(FormId id) const;
   std::vector<FormId> Children(FormId id) const;
+  /// Whether a form of the top level is `(top (Skill ...))`; skills may have that name, too.
+  bool IsTop(FormId root) const;
   logic::SourcePlace Place(FormId id) const;
+  /// Of a line of the whole text.
+  logic::SourcePlace PlaceAt(std::uint32_t line, std::uint32_t column) const;
   /// The line that holds this offset, without its end; empty when it is too long to be shown.
   std::string_view LineAt(std::size_t offset) const;
 };

@@ -315,10 +315,24 @@ class Compiler {
   void CheckMatch(const Clause& clause) {
     const Term& head = clause.terms.front();
     if (head.kind != TermKind::kSymbol || IsStored(head.text)) return;
-    const Signature* const found = FindSignature(host_.facts(), head.text, clause.terms.size() - 1);
-    if (found == nullptr) return;
+    const auto facts = host_.facts();
+    if (facts.empty() || clause.form == kNoForm) return;
     Reporter reporter(Source(), findings_);
-    CheckPattern(program_, clause, *found, reporter);
+    if (const Signature* const found = FindSignature(facts, head.text, clause.terms.size() - 1)) {
+      CheckPattern(program_, clause, *found, reporter);
+    } else {
+      UnknownHead(head, facts, reporter);
+    }
+  }
+
+  void UnknownHead(const Term& head, std::span<const Signature> facts, Reporter& reporter) {
+    std::vector<std::string> known;
+    for (const Signature& s : facts) known.emplace_back(s.name);
+    for (const Skill& skill : program_.skills) known.push_back(skill.name);
+    const std::string_view nearest = logic::NearestName(head.text, known);
+    reporter.Add(Code::kNoSuchFact, head.form,
+                 "there is neither a skill '" + head.text + "' nor a fact of this name",
+                 nearest.empty() ? "" : "did you mean '" + std::string(nearest) + "'?");
   }
 
   /// Whether the program itself has facts of this name.
@@ -334,12 +348,15 @@ class Compiler {
         });
       }
     }
-    return stored_->contains(name);
+    return stores_any_ || stored_->contains(name);
   }
 
   void AddStored(const Term& fact) {
-    if (!fact.items.empty() && fact.items.front().kind == TermKind::kSymbol) {
+    if (fact.items.empty()) return;
+    if (fact.items.front().kind == TermKind::kSymbol) {
       stored_->insert(fact.items.front().text);
+    } else {
+      stores_any_ = true;
     }
   }
 
@@ -365,6 +382,7 @@ class Compiler {
   Findings& findings_;
   const SourceTree* source_ = nullptr;
   std::optional<std::set<std::string, std::less<>>> stored_;
+  bool stores_any_ = false;  ///< Facts whose name is known only when they are stored.
   std::vector<Value> constants_;
   CompiledProgram code_;
 };

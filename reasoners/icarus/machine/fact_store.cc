@@ -2,6 +2,7 @@
 #include "reasoners/icarus/machine/fact_store.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace latchwork::icarus {
 
@@ -59,12 +60,13 @@ const FactStore::Fact* FactStore::First(NameId head, std::size_t length) const {
   return bucket == nullptr ? nullptr : bucket->first;
 }
 
-bool FactStore::Holds(const Value& list) const {
-  for (const Fact* fact = First(HeadOf(list), list.list->size); fact != nullptr;
-       fact = fact->next_in_bucket) {
-    if (fact->died == 0 && Equal(fact->value, list)) return true;
+FactStore::Fact* FactStore::Find(const Value& list) const {
+  const Bucket* const bucket = FindBucket(HeadOf(list), list.list->size);
+  Fact* fact = bucket == nullptr ? nullptr : bucket->first;
+  while (fact != nullptr && (fact->died != 0 || !Equal(fact->value, list))) {
+    fact = fact->next_in_bucket;
   }
-  return false;
+  return fact;
 }
 
 FactStore::Fact* FactStore::NewFact(const Value& list, std::uint64_t order) {
@@ -105,10 +107,11 @@ void FactStore::LinkInBucket(Bucket& bucket, Fact* fact) {
 }
 
 bool FactStore::Store(const Value& list) {
-  if (Holds(list)) return true;
+  if (Fact* const known = Find(list)) return known->stored = true;
   if (size_ >= kMostFacts) return false;
   Bucket& bucket = BucketOf(list);
   Fact* const fact = NewFact(list, next_order_++);
+  fact->stored = true;
   Link(fact, last_);
   LinkInBucket(bucket, fact);
   return true;
@@ -117,6 +120,7 @@ bool FactStore::Store(const Value& list) {
 void FactStore::Remove(const Fact* fact) {
   if (fact->died != 0) return;
   const_cast<Fact*>(fact)->died = ++version_;
+  const_cast<Fact*>(fact)->stored = false;
   --size_;
   ++dead_;
 }
@@ -124,9 +128,13 @@ void FactStore::Remove(const Fact* fact) {
 void FactStore::Replace(const Fact* fact, const Value& list) {
   if (Equal(fact->value, list)) return;
   Remove(fact);
-  if (Holds(list)) return;
+  if (Fact* const known = Find(list)) {
+    known->stored = true;
+    return;
+  }
   Bucket& bucket = BucketOf(list);
   Fact* const fresh = NewFact(list, fact->order);
+  fresh->stored = true;
   Link(fresh, const_cast<Fact*>(fact));
   LinkInBucket(bucket, fresh);
 }
@@ -139,6 +147,11 @@ void FactStore::Tidy() {
   while (fact != nullptr) {
     Fact* const next = fact->next;
     fact->next = fact->next_in_bucket = nullptr;
+    if (fact->died != 0 && fact->holders > 0) {
+      fact->died = 0;
+      fact->born = ++version_;
+      ++size_;
+    }
     if (fact->died == 0) {
       Link(fact, last_);
       LinkInBucket(BucketOf(fact->value), fact);
@@ -148,6 +161,49 @@ void FactStore::Tidy() {
     fact = next;
   }
   dead_ = 0;
+}
+
+std::uint64_t FactStore::OpenPlace() {
+  constexpr unsigned kBits = 32;
+  const std::uint64_t place = ((next_order_ >> kBits) + 1) << kBits;
+  next_order_ = place + (std::uint64_t{1} << kBits);
+  return place;
+}
+
+FactStore::Fact* FactStore::LastBefore(std::uint64_t order) const {
+  Fact* last = nullptr;
+  for (Fact* fact = first_; fact != nullptr && fact->order < order; fact = fact->next) last = fact;
+  return last;
+}
+
+const FactStore::Fact* FactStore::Hold(const Value& list, std::uint64_t place, const Fact* after) {
+  Fact* fact = Find(list);
+  if (fact == nullptr) {
+    if (size_ >= kMostFacts) return nullptr;
+    Bucket& bucket = BucketOf(list);
+    fact = NewFact(list, place);
+    Link(fact, after == nullptr ? LastBefore(place) : const_cast<Fact*>(after));
+    LinkInBucket(bucket, fact);
+  }
+  ++fact->holders;
+  return fact;
+}
+
+void FactStore::Release(const Fact* fact) {
+  if (--const_cast<Fact*>(fact)->holders == 0 && !fact->stored) Remove(fact);
+}
+
+void FactStore::Swap(FactStore& other) {
+  std::swap(buckets_, other.buckets_);
+  std::swap(table_, other.table_);
+  std::swap(records_, other.records_);
+  std::swap(free_, other.free_);
+  std::swap(first_, other.first_);
+  std::swap(last_, other.last_);
+  std::swap(size_, other.size_);
+  std::swap(dead_, other.dead_);
+  std::swap(version_, other.version_);
+  std::swap(next_order_, other.next_order_);
 }
 
 }  // namespace latchwork::icarus

@@ -13,7 +13,8 @@ namespace latchwork::icarus {
 
 /// Short-term memory: an ordered list of ground lists, indexed by head and length. What is written
 /// is visible at once, but an enumeration sees memory as it was when it began. Facts taken out stay
-/// readable until Tidy. Uses memory again; allocates while it grows.
+/// readable until Tidy. Besides what is stored, a host may hold facts: they are in memory as long
+/// as somebody holds them. Uses memory again; allocates while it grows.
 class FactStore {
  public:
   using Version = std::uint64_t;
@@ -23,6 +24,8 @@ class FactStore {
     Version born = 0;
     Version died = 0;  ///< 0: in memory.
     std::uint64_t order = 0;
+    std::uint32_t holders = 0;
+    bool stored = false;
     Fact* next = nullptr;            ///< In the order of memory.
     Fact* next_in_bucket = nullptr;  ///< Of the same head and length.
 
@@ -53,9 +56,22 @@ class FactStore {
   void Remove(const Fact* fact);
   /// Puts the list where `fact` was; nothing when it is there elsewhere already.
   void Replace(const Fact* fact, const Value& list);
-  bool Holds(const Value& list) const;
-  /// Forgets for good what was taken out. No enumeration may be under way.
+  /// The fact that is this list; null when it is not in memory.
+  Fact* Find(const Value& list) const;
+  bool Holds(const Value& list) const { return Find(list) != nullptr; }
+  /// Forgets for good what was taken out, but puts back what is held. No enumeration may be under
+  /// way.
   void Tidy();
+
+  /// A place in the order of memory, behind all that is there now, for 2^32 facts in the order of
+  /// their numbers `place + i`.
+  std::uint64_t OpenPlace();
+  /// Has the list in memory until it is released; at this place, unless it is there already.
+  /// `after`: the fact before that place, null when not known. Null: memory is full.
+  const Fact* Hold(const Value& list, std::uint64_t place, const Fact* after);
+  void Release(const Fact* fact);
+  /// Exchanges all they have; facts keep their addresses.
+  void Swap(FactStore& other);
 
  private:
   struct Bucket {
@@ -66,6 +82,7 @@ class FactStore {
   };
   struct Record;
 
+  Fact* LastBefore(std::uint64_t order) const;
   static NameId HeadOf(const Value& list);
   Bucket* FindBucket(NameId head, std::size_t length) const;
   Bucket& BucketOf(const Value& list);

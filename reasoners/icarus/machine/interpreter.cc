@@ -8,6 +8,7 @@
 
 #include "reasoners/icarus/machine/compiler.h"
 #include "reasoners/icarus/machine/machine.h"
+#include "reasoners/icarus/machine/query_levels.h"
 
 namespace latchwork::icarus {
 
@@ -68,7 +69,8 @@ struct Interpreter::Implementation {
         names(the_names),
         options(the_options),
         code(Compile(program, host, names, constants, findings)),
-        machine(code, program, host, options, names, memory) {
+        machine(code, program, host, options, names, memory),
+        queries(code, program, host, options, names, memory) {
     for (const Value& fact : code.facts) memory.Store(fact);
   }
 
@@ -104,6 +106,7 @@ struct Interpreter::Implementation {
   CompiledProgram code;
   FactStore memory;
   Machine machine;
+  QueryLevels queries;
   std::vector<Top> tops;
   std::array<Issued, 2> issued;
   std::vector<Act> stopped;
@@ -172,6 +175,47 @@ const CycleResult& Interpreter::Cycle(std::size_t top, const CycleLimits& limits
 }
 
 void Interpreter::SetSink(EventSink* sink) { implementation_->machine.SetSink(sink); }
+
+std::size_t Interpreter::AddQuery(Skill query) {
+  return implementation_->queries.Add(std::move(query));
+}
+
+void Interpreter::Ask(std::size_t query, EnvironmentSink& sink) {
+  implementation_->queries.Ask(query, implementation_->machine, sink);
+}
+
+namespace {
+
+/// For each skill of `before` the number of the same skill in `now`.
+std::vector<std::uint32_t> SameSkills(const Program& before, const Program& now) {
+  std::vector<std::uint32_t> same;
+  for (const Skill& skill : before.skills) {
+    const std::uint32_t index = now.Find(skill.name);
+    const bool is_same = index != kNoSkill &&
+                         now.source.Text(now.skills[index].form) == before.source.Text(skill.form);
+    same.push_back(is_same ? index : SequenceStates::kNoSkillHere);
+  }
+  return same;
+}
+
+}  // namespace
+
+void Interpreter::TakeOver(Interpreter& other, std::size_t first_fact) {
+  Implementation& own = *implementation_;
+  Implementation& before = *other.implementation_;
+  own.memory.Swap(before.memory);
+  for (std::size_t i = first_fact; i < own.code.facts.size(); ++i) {
+    own.memory.Store(own.code.facts[i]);
+  }
+  const std::vector<std::uint32_t> same = SameSkills(before.program, own.program);
+  own.machine.sequences().TakeOver(before.machine.sequences(), same);
+  std::swap(own.issued, before.issued);
+  for (Act& act : own.issued[0].acts) {
+    act.skill = act.skill == kNoSkill ? kNoSkill : same[act.skill];
+    act.path = nullptr;
+  }
+  own.cycle = before.cycle;
+}
 
 std::uint64_t Interpreter::cycle() const { return implementation_->cycle; }
 FactStore& Interpreter::memory() { return implementation_->memory; }

@@ -103,6 +103,8 @@ struct CycleResult {
   bool is_aborted = false;  ///< By a fault, with kAbortCycle and kStop: no acts, not True.
 };
 
+class EnvironmentSink;
+
 /// Runs a program, one cycle after the other. Within a cycle nothing is allocated once memory has
 /// grown to what the program needs, no clock is read, and nothing escapes: a mistake makes its
 /// clause False and is reported as a fault. A cycle is a function of the program, short-term
@@ -136,6 +138,18 @@ class Interpreter {
   void SetSink(EventSink* sink);
   /// Number of the last cycle; the first is 1.
   std::uint64_t cycle() const;
+
+  /// A conjunction that the host may ask while a cycle runs: the :requires of `query`, whose
+  /// clauses have no places.
+  std::size_t AddQuery(Skill query);
+  /// Gives the values of the query's variables, each distinct environment once, as memory is now.
+  /// To be called from Host::Call alone. Throws when host functions ask each other without end.
+  void Ask(std::size_t query, EnvironmentSink& sink);
+
+  /// Goes on where another interpreter is, which is of no use then: with its memory, to which this
+  /// program's initial facts from `first_fact` on are added, its acts, and the states of the
+  /// sequences that are the same in both programs.
+  void TakeOver(Interpreter& other, std::size_t first_fact);
 
   /// Short-term memory, for the host to write between cycles.
   FactStore& memory();

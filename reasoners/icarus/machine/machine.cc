@@ -83,6 +83,23 @@ bool Machine::CheckLimits(FormId form) {
   return false;
 }
 
+CycleLimits Machine::RemainingLimits() const {
+  CycleLimits left = limits_;
+  left.clauses -= std::min(clauses_, left.clauses);
+  return left;
+}
+
+void Machine::Charge(const Machine& other) {
+  clauses_ += other.clauses_;
+  next_check_ = 0;
+  if (limit_ == LimitHit::kNone && other.limit_ == LimitHit::kDepth) limit_ = other.limit_;
+  fault_count_ += other.fault_count_;
+  for (const Fault& fault : other.faults_) {
+    if (faults_.size() < kMostFaults) faults_.push_back(fault);
+  }
+  if (is_aborted()) stopped_ = true;
+}
+
 void Machine::Stop(LimitHit limit, FormId form, std::string_view message) {
   --clauses_;
   limit_ = limit;

@@ -49,6 +49,11 @@ class Machine {
   /// Of the skills that called each other.
   std::uint32_t depth() const { return depth_; }
   LimitHit limit() const { return limit_; }
+  std::uint64_t cycle() const { return cycle_; }
+  /// What is left to spend.
+  CycleLimits RemainingLimits() const;
+  /// Counts what another machine did in the service of this one, and what went wrong there.
+  void Charge(const Machine& other);
   bool is_whole() const { return !stopped_; }
   bool is_aborted() const { return options_.faults != FaultMode::kFalse && fault_count_ != 0; }
   SequenceStates& sequences() { return sequences_; }
@@ -56,6 +61,7 @@ class Machine {
   void SetSink(EventSink* sink) { sink_ = sink; }
 
  private:
+  static constexpr std::size_t kMostFaults = 16;
   using Index = std::uint32_t;
 
   enum class ScopeKind : std::uint8_t { kTop, kSkill, kNot, kNotOrActing, kStep };

@@ -12,7 +12,6 @@ namespace latchwork::icarus {
 
 namespace {
 
-constexpr std::size_t kMostFaults = 16;
 constexpr std::string_view kTooLarge = "the list is too deep or too large";
 
 bool Overflows(Builtin builtin, std::int64_t a, std::int64_t b, std::int64_t& result) {

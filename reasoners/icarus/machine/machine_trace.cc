@@ -12,6 +12,7 @@ bool Machine::StepTraced(const Instruction& instruction) {
       TellClause(EventKind::kTest, instruction, going, mark);
       break;
     case Op::kBind:
+    case Op::kTakeApart:
       TellClause(EventKind::kBind, instruction, going, mark);
       break;
     case Op::kMatch:

@@ -28,6 +28,21 @@ std::size_t SequenceStates::Find(std::uint32_t skill, std::span<const Value> par
   return index;
 }
 
+void SequenceStates::Clear() {
+  for (auto& state : states_) free_.push_back(std::move(state));
+  states_.clear();
+}
+
+void SequenceStates::TakeOver(SequenceStates& other, std::span<const std::uint32_t> skills) {
+  for (auto& state : other.states_) {
+    const std::uint32_t skill = skills[state->skill];
+    if (skill == kNoSkillHere) continue;
+    state->skill = skill;
+    states_.push_back(std::move(state));
+  }
+  other.states_.clear();
+}
+
 bool SequenceStates::WasCalled(std::uint32_t skill, std::uint64_t cycle) const {
   return std::any_of(states_.begin(), states_.end(), [&](const auto& state) {
     return state != nullptr && state->skill == skill && state->touched == cycle;

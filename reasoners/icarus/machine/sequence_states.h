@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -29,6 +30,11 @@ class SequenceStates {
   std::size_t size() const { return states_.size(); }
   State& at(std::size_t index) { return *states_[index]; }
 
+  void Clear();
+  /// Goes on with the states of another program's skills: `skills[i]` is the number here of its
+  /// skill i, or kNoSkillHere when that is another skill now.
+  void TakeOver(SequenceStates& other, std::span<const std::uint32_t> skills);
+  static constexpr std::uint32_t kNoSkillHere = std::numeric_limits<std::uint32_t>::max();
   /// The state for these parameters, made when there is none.
   std::size_t Find(std::uint32_t skill, std::span<const Value> parameters, std::uint64_t cycle);
   /// Ends a cycle: drops, of the skills called in it, what was not presented, unless the cycle was

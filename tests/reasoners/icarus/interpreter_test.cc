@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "tests/counted_allocations.h"
+#include "tests/reasoners/icarus/allocations.h"
 #include "tests/reasoners/icarus/script_run.h"
 
 namespace latchwork::icarus::testing {
@@ -221,10 +221,10 @@ TEST(IcarusInterpreterTest, WarmCycle_AllocatesNothing) {
       "(Go (?c ?l) :action ({go ?c (?l ?c)}))",
       "(Top)");
   for (int i = 0; i < 50; ++i) odd.interpreter.Cycle(odd.top);
-  const std::size_t before = test::Allocations();
+  const std::size_t before = Allocations();
   std::size_t acts = 0;
   for (int i = 0; i < 50; ++i) acts += odd.interpreter.Cycle(odd.top).acts.size();
-  EXPECT_EQ(test::Allocations(), before);
+  EXPECT_EQ(Allocations(), before);
   EXPECT_EQ(acts, 50U);
 }
 

@@ -45,6 +45,8 @@ struct Body {
   std::vector<Goal> goals;
   std::vector<Minimized> minimized;
   std::vector<std::shared_ptr<Attachment>> attachments;
+  Contract contract;  ///< Of its layer: the types that a reasoner may check a body against. May be
+                      ///< empty.
 };
 
 /// What one input of a layer holds in this cycle.
