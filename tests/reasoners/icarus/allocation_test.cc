@@ -21,7 +21,7 @@ constexpr std::string_view kProgram = R"((top (Top))
 (Top () :requires ((*not* (Note)) (bind ?s {sum}) (bind (?h ?) {halves ?s})) :means ((Pay ?h)))
 (Note () :requires ((price ?x ?p) (Remember ?x ?p) (never)))
 (Remember (?x ?p) :sensor ({store (known (of ?x) ?p)} {forget (known (of nobody) ?)}))
-(Known (?x ?p) :objective ((known ?x ?p)))  ; allow I018
+(Learnt (?x ?p) :objective ((known ?x ?p)))  ; allow I018
 (Pay (?s) :action ({pay ?s} {tell (list ?s)} {store (paid)}))
 )";
 
@@ -32,7 +32,7 @@ TEST(IcarusAllocationTest, NothingIsAllocatedOnceWarm) {
   mind.Output("pay", {ArgumentType::kInteger});
   mind.Output("tell", {ArgumentType::kAny});
   const std::vector<logic::Literal> query = {
-      {true, {mind.symbols.Intern("known"), {logic::Term::Var(0), logic::Term::Var(1)}}}};
+      {true, {mind.symbols.Intern("learnt"), {logic::Term::Var(0), logic::Term::Var(1)}}}};
   mind.attachments = {std::make_shared<Halves>(), std::make_shared<Total>("sum", query, 2)};
   mind.Load();
   // Batches that take turns: facts come, go, change and change places.

@@ -39,7 +39,7 @@ TEST(IcarusAttachmentTest, AnswersAreTakenApart) {
   mind.Latch(0, {"given(7.5)"});
   EXPECT_THAT(mind.Decide(), IsEmpty());
   EXPECT_THAT(mind.decision.message,
-              HasSubstr(":2:52: {halves}: argument 1, 7.5, is not an integer (in Top)"));
+              HasSubstr(":2:51: {halves}: argument 1, 7.5, is not an integer (in Top)"));
   mind.Latch(0, {"given(13)"});
   mind.Decide();
   EXPECT_THAT(mind.decision.message, HasSubstr("{halves}: thirteen"));

@@ -66,7 +66,7 @@ TEST(IcarusLimitsTest, MatchesWithoutEnd_AreStoppedByTheLimitOfClauses) {
                           "(p ?a) (p ?b) (p ?c) (p ?d) (p ?e) (p ?f) (p ?g) (p ?h) (p ?i)" +
                           "(q ?a ?b ?c ?d ?e ?f ?g ?h ?i)))",
                       "(top (Top)) (cycle (expect false fault))", options);
-  EXPECT_EQ(run.clauses().front(), 10'001U);
+  EXPECT_EQ(run.clauses().front(), 10'000U);
 }
 
 }  // namespace

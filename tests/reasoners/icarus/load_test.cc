@@ -67,7 +67,7 @@ TEST(IcarusLoadTest, ChecksMatchesAgainstTheLatches) {
               HasSubstr("2:20: error: [I031] facts (seen ...) have 2 arguments, but here are 1"));
   EXPECT_THAT(Complaints("(top (Go))\n(Go () :objective ((seen 7 ?)))"),
               HasSubstr("2:26: error: [I031] facts (seen ...) have a symbol here"));
-  EXPECT_THAT(Complaints("(top (Go))\n(Go () :objective ((scene ?x ?x)))"),
+  EXPECT_THAT(Complaints("(top (Go))\n(Go () :objective ((sen ?x ?x)))"),
               AllOf(HasSubstr("2:21: error: [I032]"), HasSubstr("did you mean 'seen'?")));
 }
 

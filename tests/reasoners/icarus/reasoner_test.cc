@@ -187,7 +187,7 @@ TEST(IcarusReasonerTest, FaultsAreFalseAndTold) {
   DecideWithFaults(mind, "false");
   EXPECT_EQ(mind.decision.status, sdk::Status::kProved);
   EXPECT_THAT(mind.decision.message,
-              AllOf(HasSubstr("program.icarus:3:35: {>} is given a value of another type"),
+              AllOf(HasSubstr("program.icarus:3:33: {>} is given a value of another type"),
                     HasSubstr("(in Inner < Top)")));
   mind.Latch(0, {});
   mind.Decide();

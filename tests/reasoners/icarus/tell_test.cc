@@ -20,8 +20,8 @@ using ::testing::IsEmpty;
 constexpr std::string_view kProgram = R"((top (Top))
 (facts (count 0))
 (constant *STEP* 1)
-(Top () :requires ((Count) (Steps)))
-(Count () :requires ((count ?n)) :objective ((count ?n) (bind ?m {+ ?n *STEP*}) (SetCount ?n ?m)))
+(Top () :requires ((CountOn) (Steps)))
+(CountOn () :objective ((count ?n) (bind ?m {+ ?n *STEP*}) (SetCount ?n ?m)))
 (SetCount (?n ?m) :sensor ({update (count ?n) (count ?m)}))
 (Steps () :sequence ((First) (Second)))
 (First () :objective ((done first)) :means ((Say one)))
@@ -74,7 +74,7 @@ TEST(IcarusTellTest, ReplacesConstantsAndTheTop) {
   ProgramMind mind(kProgram);
   Prepare(mind);
   ASSERT_THAT(mind.reasoner.Tell("(constant *STEP* 10) (top (Other))\n"
-                                 "(Other () :requires ((Count) (count ?n)) :means ((Say ?n)))"),
+                                 "(Other () :requires ((CountOn) (count ?n)) :means ((Say ?n)))"),
               IsEmpty());
   EXPECT_THAT(mind.Decide(), ElementsAre("say(10)"));
   EXPECT_THAT(mind.Decide(), ElementsAre("say(20)"));
@@ -84,11 +84,11 @@ TEST(IcarusTellTest, RetractsWhatNothingNeeds) {
   ProgramMind mind(kProgram);
   Prepare(mind);
   EXPECT_THAT(Format(mind.reasoner.Retract("Say")),
-              HasSubstr("program.icarus:8:49: error: the skill 'Say' is called here"));
+              HasSubstr("program.icarus:8:45: error: the skill 'Say' is called here"));
   EXPECT_THAT(Format(mind.reasoner.Retract("Top")), HasSubstr("program.icarus:1:6:"));
   EXPECT_THAT(Format(mind.reasoner.Retract("*step*")), HasSubstr("[I012]"));
   EXPECT_THAT(Format(mind.reasoner.Retract("Stepps")), HasSubstr("did you mean 'Steps'?"));
-  ASSERT_THAT(mind.reasoner.Tell("(Top () :requires ((Count)) :means ((Say still)))"), IsEmpty());
+  ASSERT_THAT(mind.reasoner.Tell("(Top () :requires ((CountOn)) :means ((Say still)))"), IsEmpty());
   EXPECT_THAT(mind.reasoner.Retract("steps"), IsEmpty());
   EXPECT_THAT(Format(mind.reasoner.Retract("steps")), HasSubstr("there is no skill or constant"));
   EXPECT_THAT(mind.Decide(), ElementsAre("say(still)"));
