@@ -15,13 +15,21 @@
 
 namespace latchwork::test {
 
-/// A layer plugin with its own body in the prover: latches in, conclusions out, as texts.
+/// What drives a layer in a test, and the language that it reads.
+struct MindKind {
+  std::string_view reasoner = "pttp";
+  std::string_view language = "tptp";
+};
+inline constexpr MindKind kIcarusMind{"icarus", "icarus"};
+
+/// A layer plugin with its own body in a reasoner: latches in, conclusions out, as texts.
 class LayerMind {
  public:
-  explicit LayerMind(std::string_view name, std::vector<sdk::Parameters::Given> parameters = {})
+  explicit LayerMind(std::string_view name, std::vector<sdk::Parameters::Given> parameters = {},
+                     const MindKind& kind = {})
       : registry_({std::string(LATCHWORK_BINARY_DIR) + "/plugins"}),
         layer_(registry_.MakeLayer(name)),
-        reasoner_(registry_.MakeReasoner("pttp")) {
+        reasoner_(registry_.MakeReasoner(kind.reasoner)) {
     if (!layer_.object || !reasoner_.object) {
       ADD_FAILURE() << layer_.error << reasoner_.error;
       return;
@@ -30,7 +38,7 @@ class LayerMind {
     const auto checked =
         sdk::Parameters::Check(layer_.object->parameters(), parameters, name, {}, diagnostics);
     const auto body = layer_.object->MakeBody(
-        "tptp", checked, registry_.DataFolder(sdk::PluginKind::kLayer, name), symbols_);
+        kind.language, checked, registry_.DataFolder(sdk::PluginKind::kLayer, name), symbols_);
     const auto unread = reasoner_.object->Load(
         body, sdk::Parameters::Defaults(reasoner_.object->parameters()), symbols_);
     diagnostics.insert(diagnostics.end(), unread.begin(), unread.end());
