@@ -111,7 +111,7 @@ sdk::Body AvoidLayer::MakeBody(std::string_view language, const sdk::Parameters&
                                const std::filesystem::path& data,
                                logic::SymbolTable& symbols) const {
   sdk::Body body = sdk::ContractBody(contract(), language, symbols);
-  body.files = {data / "avoid.p"};
+  body.files = {data / (language == "icarus" ? "avoid.icarus" : "avoid.p")};
   body.facts = sdk::ParameterFacts(parameters, symbols);
   body.minimized = {{{symbols.Intern("halt_robot"), 0}, 0},
                     {{symbols.Intern("object"), 1}, 0},

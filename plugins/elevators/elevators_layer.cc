@@ -77,7 +77,7 @@ sdk::Body ElevatorsLayer::MakeBody(std::string_view language, const sdk::Paramet
                                    const std::filesystem::path& data,
                                    logic::SymbolTable& symbols) const {
   sdk::Body body = sdk::ContractBody(contract(), language, symbols);
-  body.files = {data / "elevators.p"};
+  body.files = {data / (language == "icarus" ? "elevators.icarus" : "elevators.p")};
   body.minimized = {{{symbols.Intern("target_landmark"), 1}, 0},
                     {{symbols.Intern("elevator_open"), 1}, 0},
                     {{symbols.Intern("elevator_out_of_order"), 1}, 0},

@@ -61,7 +61,7 @@ sdk::Body ItineraryLayer::MakeBody(std::string_view language, const sdk::Paramet
                                    const std::filesystem::path& data,
                                    logic::SymbolTable& symbols) const {
   sdk::Body body = sdk::ContractBody(contract(), language, symbols);
-  body.files = {data / "itinerary.p"};
+  body.files = {data / (language == "icarus" ? "itinerary.icarus" : "itinerary.p")};
   body.minimized = {{{symbols.Intern("goal"), 1}, 0},
                     {{symbols.Intern("door_shut"), 1}, 0},
                     {{symbols.Intern("elevator_out_of_order"), 1}, 0}};

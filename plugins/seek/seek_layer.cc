@@ -81,7 +81,7 @@ sdk::Body SeekLayer::MakeBody(std::string_view language, const sdk::Parameters& 
                               const std::filesystem::path& data,
                               logic::SymbolTable& symbols) const {
   sdk::Body body = sdk::ContractBody(contract(), language, symbols);
-  body.files = {data / "seek.p"};
+  body.files = {data / (language == "icarus" ? "seek.icarus" : "seek.p")};
   body.facts = sdk::ParameterFacts(parameters, symbols);
   const double width = 2.0 * std::numbers::pi / static_cast<double>(parameters.Integer("sectors"));
   body.facts.emplace_back(symbols.Intern("sector_width"),

@@ -19,7 +19,7 @@ class SeekLayer final : public sdk::Layer {
  public:
   const sdk::Contract& contract() const override;
   std::span<const sdk::ParameterSpec> parameters() const override;
-  std::vector<std::string> languages() const override { return {"tptp"}; }
+  std::vector<std::string> languages() const override { return {"tptp", "icarus"}; }
   sdk::Body MakeBody(std::string_view language, const sdk::Parameters& parameters,
                      const std::filesystem::path& data, logic::SymbolTable& symbols) const override;
 };

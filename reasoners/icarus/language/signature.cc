@@ -12,7 +12,7 @@ constexpr ArgumentType kAny = ArgumentType::kAny;
 constexpr ArgumentType kNumber = ArgumentType::kNumber;
 
 /// In the order of Builtin.
-constexpr std::array<Signature, 16> kBuiltins = {{
+constexpr std::array<Signature, 19> kBuiltins = {{
     {"=", 2, 2, kAny, false},
     {"!=", 2, 2, kAny, false},
     {"<", 2, 2, kNumber, false},
@@ -23,7 +23,10 @@ constexpr std::array<Signature, 16> kBuiltins = {{
     {"-", 1, kAnyNumber, kNumber, false},
     {"*", 1, kAnyNumber, kNumber, false},
     {"/", 2, 2, kNumber, false},
+    {"min", 1, kAnyNumber, kNumber, false},
+    {"max", 1, kAnyNumber, kNumber, false},
     {"abs", 1, 1, kNumber, false},
+    {"round", 1, 1, kNumber, false},
     {"list", 0, kAnyNumber, kAny, false},
     {"member", 2, 2, kAny, false},
     {"store", 1, 1, kAny, true},

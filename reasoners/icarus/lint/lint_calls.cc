@@ -89,7 +89,7 @@ class CallLint {
       reporter_.Add(Code::kMisspeltSkill, clause.form,
                     "there is no skill '" + name + "', so this asks memory for a fact",
                     "did you mean '" + program_.skills[program_.Find(nearest)].spelling + "'?");
-    } else if (!program_.facts.empty() && !heads_.open) {
+    } else if (!program_.facts.empty() && !program_.top && !heads_.open) {
       reporter_.Add(Code::kUnknownFact, clause.form,
                     "there is no skill '" + name + "', and no fact begins with it",
                     "define the skill, or declare the fact: (facts (" + name + " ...))");

@@ -38,6 +38,15 @@ double Apply(Builtin builtin, double a, double b) {
   }
 }
 
+/// The nearest integer, halves away from zero; none where it does not fit.
+Value Rounded(const Value& value) {
+  constexpr double kBound = 0x1p63;
+  if (value.kind == ValueKind::kInteger) return value;
+  const double rounded = std::round(value.real);
+  if (!(rounded >= -kBound && rounded < kBound)) return {};
+  return Value::Integer(static_cast<std::int64_t>(rounded));
+}
+
 }  // namespace
 
 /// The value; none when a variable of it is unbound, or a call of it False.
@@ -259,6 +268,13 @@ Value Machine::Compare(Builtin builtin, const Value& a, const Value& b) {
 
 /// Integers stay integers while they fit, but for quotients.
 Value Machine::Compute(Builtin builtin, std::span<const Value> arguments) {
+  if (builtin == Builtin::kRound) return Rounded(arguments[0]);
+  if (builtin == Builtin::kMin || builtin == Builtin::kMax) {
+    return *std::min_element(
+        arguments.begin(), arguments.end(), [&](const Value& a, const Value& b) {
+          return builtin == Builtin::kMin ? a.number() < b.number() : a.number() > b.number();
+        });
+  }
   if (builtin == Builtin::kAbs) {
     const Value& a = arguments[0];
     if (a.kind == ValueKind::kReal) return Value::Real(std::fabs(a.real));
