@@ -15,21 +15,17 @@
 
 namespace latchwork::test {
 
-/// What drives a layer in a test, and the language that it reads.
-struct MindKind {
-  std::string_view reasoner = "pttp";
-  std::string_view language = "tptp";
-};
-inline constexpr MindKind kIcarusMind{"icarus", "icarus"};
+/// The reasoner of programs, for LayerMind.
+inline constexpr std::string_view kIcarusMind = "icarus";
 
 /// A layer plugin with its own body in a reasoner: latches in, conclusions out, as texts.
 class LayerMind {
  public:
   explicit LayerMind(std::string_view name, std::vector<sdk::Parameters::Given> parameters = {},
-                     const MindKind& kind = {})
+                     std::string_view reasoner = "pttp")
       : registry_({std::string(LATCHWORK_BINARY_DIR) + "/plugins"}),
         layer_(registry_.MakeLayer(name)),
-        reasoner_(registry_.MakeReasoner(kind.reasoner)) {
+        reasoner_(registry_.MakeReasoner(reasoner)) {
     if (!layer_.object || !reasoner_.object) {
       ADD_FAILURE() << layer_.error << reasoner_.error;
       return;
@@ -37,8 +33,9 @@ class LayerMind {
     logic::Diagnostics diagnostics;
     const auto checked =
         sdk::Parameters::Check(layer_.object->parameters(), parameters, name, {}, diagnostics);
-    const auto body = layer_.object->MakeBody(
-        kind.language, checked, registry_.DataFolder(sdk::PluginKind::kLayer, name), symbols_);
+    const auto body =
+        layer_.object->MakeBody(reasoner_.object->language(), checked,
+                                registry_.DataFolder(sdk::PluginKind::kLayer, name), symbols_);
     const auto unread = reasoner_.object->Load(
         body, sdk::Parameters::Defaults(reasoner_.object->parameters()), symbols_);
     diagnostics.insert(diagnostics.end(), unread.begin(), unread.end());
@@ -108,6 +105,11 @@ class LayerMind {
   std::vector<sdk::Latch> latches_;
   sdk::Decision decision_;
 };
+
+/// The name of a reasoner, for tests that every reasoner of a layer has to pass.
+inline std::string ReasonerName(const ::testing::TestParamInfo<const char*>& reasoner) {
+  return reasoner.param;
+}
 
 }  // namespace latchwork::test
 

@@ -39,8 +39,13 @@ void Sense(LayerMind& mind, int cycle) {
   mind.Latch("sonar", facts);
 }
 
-TEST(AvoidAllocationTest, DecisionsAllocateNothingAfterWarmUp) {
-  LayerMind mind("avoid");
+class AvoidAllocationTest : public ::testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Reasoners, AvoidAllocationTest, ::testing::Values("pttp", "icarus"),
+                         ReasonerName);
+
+TEST_P(AvoidAllocationTest, DecisionsAllocateNothingAfterWarmUp) {
+  LayerMind mind("avoid", {}, GetParam());
   DescribeRobot(mind);
   for (int cycle = 0; cycle < 100; ++cycle) {
     Sense(mind, cycle);

@@ -18,35 +18,37 @@ const std::vector<std::string> kRobot{"sonar_direction(0, 0.0)", "sonar_directio
 const std::vector<std::string> kPushAhead{"object(push)", "distance(push, 1.0)",
                                           "direction(push, 3.14159)"};
 
-class AvoidTest : public ::testing::Test {
+class AvoidTest : public ::testing::TestWithParam<const char*> {
  protected:
   AvoidTest() {
     mind_.Latch("robot", kRobot);
     mind_.Latch("sonar", {"no_echo(0)", "no_echo(1)", "no_echo(2)"});
   }
-  LayerMind mind_{"avoid"};
+  LayerMind mind_{"avoid", {}, GetParam()};
 };
 
-TEST_F(AvoidTest, NothingAround_NothingToDo) { EXPECT_THAT(mind_.Decide(), IsEmpty()); }
+INSTANTIATE_TEST_SUITE_P(Reasoners, AvoidTest, ::testing::Values("pttp", "icarus"), ReasonerName);
 
-TEST_F(AvoidTest, PushFromBehind_GoesForward) {
+TEST_P(AvoidTest, NothingAround_NothingToDo) { EXPECT_THAT(mind_.Decide(), IsEmpty()); }
+
+TEST_P(AvoidTest, PushFromBehind_GoesForward) {
   mind_.Latch("objects", kPushAhead);
   EXPECT_THAT(mind_.Decide(), ElementsAre(StartsWith("fwd(0.59")));
 }
 
-TEST_F(AvoidTest, PushFromTheLeft_TurnsRight) {
+TEST_P(AvoidTest, PushFromTheLeft_TurnsRight) {
   mind_.Latch("objects", {"object(push)", "distance(push, 1.0)", "direction(push, 1.5)"});
   EXPECT_THAT(mind_.Decide(), ElementsAre(StartsWith("turn(-1.64")));
 }
 
-TEST_F(AvoidTest, ObjectAhead_HaltsWhateverPushes) {
+TEST_P(AvoidTest, ObjectAhead_HaltsWhateverPushes) {
   mind_.Latch("objects", kPushAhead);
   mind_.Latch("sonar", {"sonar_reading(0, 0.1)", "no_echo(1)", "no_echo(2)"});
   EXPECT_THAT(mind_.Decide(), Contains("halt"));
   EXPECT_THAT(mind_.Decide(), Not(Contains(StartsWith("fwd"))));
 }
 
-TEST_F(AvoidTest, ObjectAheadGone_DefaultRestored) {
+TEST_P(AvoidTest, ObjectAheadGone_DefaultRestored) {
   mind_.Latch("objects", kPushAhead);
   mind_.Latch("sonar", {"sonar_reading(0, 0.1)"});
   EXPECT_THAT(mind_.Decide(), Contains("halt"));
@@ -54,33 +56,37 @@ TEST_F(AvoidTest, ObjectAheadGone_DefaultRestored) {
   EXPECT_THAT(mind_.Decide(), ElementsAre(StartsWith("fwd")));
 }
 
-TEST_F(AvoidTest, ObjectBeside_DoesNotHalt) {
+TEST_P(AvoidTest, ObjectBeside_DoesNotHalt) {
   mind_.Latch("objects", kPushAhead);
   mind_.Latch("sonar", {"sonar_reading(1, 0.1)"});
   EXPECT_THAT(mind_.Decide(), Not(Contains("halt")));
 }
 
-TEST_F(AvoidTest, VirtualObjectAheadAndNear_Halts) {
+TEST_P(AvoidTest, VirtualObjectAheadAndNear_Halts) {
   mind_.Latch("objects",
               {"object(keep_out)", "distance(keep_out, 0.3)", "direction(keep_out, 0.1)"});
   EXPECT_THAT(mind_.Decide(), Contains("halt"));
 }
 
-TEST_F(AvoidTest, FarEcho_IsNoObject) {
+TEST_P(AvoidTest, FarEcho_IsNoObject) {
   mind_.Latch("sonar", {"sonar_reading(0, 4.0)"});
   EXPECT_THAT(mind_.Decide(), IsEmpty());
 }
 
-TEST_F(AvoidTest, NonsenseFromAbove_RefusedFactByFact) {
-  EXPECT_THAT(mind_.Refused("objects", kPushAhead), IsEmpty());
-  EXPECT_THAT(mind_.Refused("objects", {"object(p)", "distance(p, -1.0)", "direction(p, 4.0)"}),
+// A program has no hard axioms, and refuses nothing.
+TEST(TheoryAvoidTest, NonsenseFromAbove_RefusedFactByFact) {
+  LayerMind mind("avoid");
+  EXPECT_THAT(mind.Refused("objects", kPushAhead), IsEmpty());
+  EXPECT_THAT(mind.Refused("objects", {"object(p)", "distance(p, -1.0)", "direction(p, 4.0)"}),
               ElementsAre(1, 2));
-  EXPECT_THAT(mind_.Refused("objects", {"distance(p, 1.0)", "distance(p, 2.0)"}), ElementsAre(1));
+  EXPECT_THAT(mind.Refused("objects", {"distance(p, 1.0)", "distance(p, 2.0)"}), ElementsAre(1));
 }
 
-TEST_F(AvoidTest, SonarObjectsFromAbove_Refused) {
-  mind_.Latch("sonar", {"sonar_reading(0, 0.1)", "no_echo(1)"});
-  EXPECT_THAT(mind_.Refused("objects", {"distance(sonar_obj(0), 3.0)", "object(sonar_obj(1))"}),
+TEST(TheoryAvoidTest, SonarObjectsFromAbove_Refused) {
+  LayerMind mind("avoid");
+  mind.Latch("robot", kRobot);
+  mind.Latch("sonar", {"sonar_reading(0, 0.1)", "no_echo(1)"});
+  EXPECT_THAT(mind.Refused("objects", {"distance(sonar_obj(0), 3.0)", "object(sonar_obj(1))"}),
               ElementsAre(0, 1));
 }
 

@@ -43,10 +43,13 @@ struct Case {
   std::vector<std::string> expected;
 };
 
-class ElevatorsTest : public ::testing::TestWithParam<Case> {};
+class ElevatorsTest : public ::testing::TestWithParam<Case> {
+ protected:
+  void ExpectNextStep(std::string_view reasoner);
+};
 
-TEST_P(ElevatorsTest, Situation_NextStep) {
-  LayerMind mind("elevators");
+void ElevatorsTest::ExpectNextStep(std::string_view reasoner) {
+  LayerMind mind("elevators", {}, reasoner);
   mind.Latch("building", kBuilding);
   mind.Latch("place", {"curr_landmark(" + GetParam().at + ")"});
   mind.Latch("elevators", GetParam().elevators);
@@ -55,6 +58,9 @@ TEST_P(ElevatorsTest, Situation_NextStep) {
   }
   EXPECT_THAT(mind.Decide(), UnorderedElementsAreArray(GetParam().expected));
 }
+
+TEST_P(ElevatorsTest, Situation_NextStepOfTheTheory) { ExpectNextStep("pttp"); }
+TEST_P(ElevatorsTest, Situation_NextStepOfTheProgram) { ExpectNextStep("icarus"); }
 
 INSTANTIATE_TEST_SUITE_P(
     DecisionTable, ElevatorsTest,

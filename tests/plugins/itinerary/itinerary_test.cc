@@ -28,7 +28,7 @@ std::vector<std::string> Building() {
   return facts;
 }
 
-class ItineraryTest : public ::testing::Test {
+class ItineraryTest : public ::testing::TestWithParam<const char*> {
  protected:
   ItineraryTest() { mind_.Latch("building", Building()); }
 
@@ -37,51 +37,54 @@ class ItineraryTest : public ::testing::Test {
     mind_.Latch("goal", {"goal(" + goal + ")"});
     return mind_.Decide();
   }
-  LayerMind mind_{"itinerary"};
+  LayerMind mind_{"itinerary", {}, GetParam()};
 };
 
-TEST_F(ItineraryTest, NoGoal_Silent) {
+INSTANTIATE_TEST_SUITE_P(Reasoners, ItineraryTest, ::testing::Values("pttp", "icarus"),
+                         ReasonerName);
+
+TEST_P(ItineraryTest, NoGoal_Silent) {
   mind_.Latch("place", {"curr_landmark(a)"});
   EXPECT_THAT(mind_.Decide(), IsEmpty());
 }
 
-TEST_F(ItineraryTest, SameFloor_FirstLandmarkOfTheShortestWay) {
+TEST_P(ItineraryTest, SameFloor_FirstLandmarkOfTheShortestWay) {
   EXPECT_THAT(NextFrom("a", "f1"), ElementsAre("target_landmark(b)"));
   EXPECT_THAT(NextFrom("y", "f1"), ElementsAre("target_landmark(z)"));
 }
 
-TEST_F(ItineraryTest, AtTheGoal_StaysThere) {
+TEST_P(ItineraryTest, AtTheGoal_StaysThere) {
   EXPECT_THAT(NextFrom("a", "a"), ElementsAre("target_landmark(a)"));
 }
 
-TEST_F(ItineraryTest, OtherFloor_TheOtherEndOfTheRide) {
+TEST_P(ItineraryTest, OtherFloor_TheOtherEndOfTheRide) {
   EXPECT_THAT(NextFrom("f1", "f2"), ElementsAre("target_landmark(f2)"));
   EXPECT_THAT(NextFrom("c", "f2"), ElementsAre("target_landmark(f1)"));
 }
 
-TEST_F(ItineraryTest, ShutDoor_TheOtherWayRoundAndBack) {
+TEST_P(ItineraryTest, ShutDoor_TheOtherWayRoundAndBack) {
   mind_.Latch("doors", {"door_shut(c)"});
   EXPECT_THAT(NextFrom("a", "f1"), ElementsAre("target_landmark(x)"));
   mind_.Latch("doors", {});
   EXPECT_THAT(NextFrom("a", "f1"), ElementsAre("target_landmark(b)"));
 }
 
-TEST_F(ItineraryTest, ElevatorOutOfOrder_TheOtherElevator) {
+TEST_P(ItineraryTest, ElevatorOutOfOrder_TheOtherElevator) {
   mind_.Latch("elevators", {"elevator_out_of_order(e1)"});
   EXPECT_THAT(NextFrom("c", "f2"), ElementsAre("target_landmark(f1)"));
   EXPECT_THAT(NextFrom("f1", "f2"), ElementsAre("target_landmark(z)"));
 }
 
-TEST_F(ItineraryTest, InTheCab_TheFloorOfTheGoal) {
+TEST_P(ItineraryTest, InTheCab_TheFloorOfTheGoal) {
   EXPECT_THAT(NextFrom("c1", "t"), ElementsAre("target_landmark(f2)"));
 }
 
-TEST_F(ItineraryTest, InAFailedCab_OutWhereItStands) {
+TEST_P(ItineraryTest, InAFailedCab_OutWhereItStands) {
   mind_.Latch("elevators", {"elevator_at(e1, 1)", "elevator_out_of_order(e1)"});
   EXPECT_THAT(NextFrom("c1", "t"), ElementsAre("target_landmark(f1)"));
 }
 
-TEST_F(ItineraryTest, NoWay_Silent) {
+TEST_P(ItineraryTest, NoWay_Silent) {
   mind_.Latch("doors", {"door_shut(b)", "door_shut(x)"});
   EXPECT_THAT(NextFrom("a", "f1"), IsEmpty());
 }
