@@ -166,7 +166,7 @@ TEST_F(CommandTest, PluginShow_TellsPortsParametersAndAnExample) {
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.out, StartsWith("layer avoid "));
   for (const char* part : {"Inputs\n  sonar", "Outputs\n  motion (cannot be inhibited)",
-                           "  repulsion ", "  tptp\n", "<layer name=\"avoid\" plugin=\"avoid\""}) {
+                           "  repulsion ", "  tptp, icarus\n", "<layer name=\"avoid\" plugin=\"avoid\""}) {
     EXPECT_THAT(result.out, HasSubstr(part));
   }
 }
