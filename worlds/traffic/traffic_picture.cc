@@ -73,8 +73,9 @@ std::vector<std::filesystem::path> TrafficPicture::Draw(const std::filesystem::p
 void TrafficPicture::DrawRoad(Svg& svg) const {
   svg.Rectangle({-kHalfView, kRoadY}, {kHalfView, kRoadY + RoadHeight()}, {.fill = "#4a4f59"});
   std::vector<SvgKeyframe> moving;
-  for (const Frame& frame : frames_)
+  for (const Frame& frame : frames_) {
     moving.push_back({.seconds = frame.seconds, .x = -frame.distance});
+  }
   const double end = frames_.back().distance + 2 * kHalfView;
   svg.Group(moving, [&] {
     for (int lane = 1; lane < lanes_; ++lane) {

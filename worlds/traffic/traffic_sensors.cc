@@ -71,7 +71,7 @@ void TrafficSensors::SaySeen(std::uint64_t tick, const Road& road, const Sight& 
     facts.push_back(Fact(beside_, {Term::Integer(lane), Term::Constant(other.name)}));
     return;
   }
-  const auto draw = static_cast<std::uint64_t>(4 * lane + (ahead ? 0 : 2));
+  const std::uint64_t draw = 4 * static_cast<std::uint64_t>(lane) + (ahead ? 0 : 2);
   const double gap = seen->gap + sight.distance_noise * noise_.Gaussian(tick, draw);
   const double speed = other.speed - road.cars()[Road::kAgent].speed +
                        sight.speed_noise * noise_.Gaussian(tick, draw + 1);

@@ -79,7 +79,8 @@ void TrafficWorld::Apply(std::uint64_t /*tick*/, std::span<const sdk::Batch> eff
       command_ = told ? std::min(command_, value) : value;
       told = true;
     } else if (fact.predicate() == aim_) {
-      const int lane = static_cast<int>(std::clamp(value, -1.0, double(road_->setup().lanes)));
+      const int lane =
+          static_cast<int>(std::clamp(value, -1.0, static_cast<double>(road_->setup().lanes)));
       if (lane != car.aim) ++counts_.lane_changes;
       car.aim = lane;
     }
@@ -107,12 +108,25 @@ void TrafficWorld::SurpriseByBraking(std::uint64_t tick) {
   if (surprises_->Uniform(tick) < chance) BrakeLeader(kSurpriseSeconds);
 }
 
+void TrafficWorld::Brake(Car& car, double seconds) const {
+  car.brakes_until =
+      warm_up_ticks_ + counts_.ticks + static_cast<std::uint64_t>(seconds / tick_seconds_);
+}
+
 bool TrafficWorld::BrakeLeader(double seconds) {
   const auto leader = road_->Ahead(Road::kAgent, car().lane());
-  if (!leader) return false;
-  road_->cars()[leader->car].brakes_until =
-      warm_up_ticks_ + counts_.ticks + static_cast<std::uint64_t>(seconds / tick_seconds_);
-  return true;
+  if (leader) Brake(road_->cars()[leader->car], seconds);
+  return leader.has_value();
+}
+
+bool TrafficWorld::BrakeNamed(const logic::Term& name, double seconds) {
+  for (std::size_t i = Road::kAgent + 1; i < road_->cars().size(); ++i) {
+    Car& car = road_->cars()[i];
+    if (logic::Term::Constant(car.name) != name) continue;
+    Brake(car, seconds);
+    return true;
+  }
+  return false;
 }
 
 void TrafficWorld::Judge() {
@@ -225,13 +239,9 @@ logic::Diagnostics TrafficWorld::HandleEvent(std::uint64_t /*tick*/, const logic
     return BrakeLeader(value) ? logic::Diagnostics() : wrong("there is no car ahead");
   }
   if (name == "brakes" && event.arity() == 2) {
-    for (Car& car : road_->cars()) {
-      if (logic::Term::Constant(car.name) != event.argument(0)) continue;
-      car.brakes_until =
-          warm_up_ticks_ + counts_.ticks + static_cast<std::uint64_t>(value / tick_seconds_);
-      return {};
-    }
-    return wrong("the road has no " + logic::ToString(event.argument(0)));
+    return BrakeNamed(event.argument(0), value)
+               ? logic::Diagnostics()
+               : wrong("no other car has the name " + logic::ToString(event.argument(0)));
   }
   return wrong("the traffic knows no event '" + logic::ToString(event) + "'");
 }

@@ -58,7 +58,9 @@ class TrafficWorld final : public sdk::World {
   const Car& car() const { return road_->cars()[Road::kAgent]; }
   double Seconds(std::uint64_t ticks) const { return static_cast<double>(ticks) * tick_seconds_; }
   void SurpriseByBraking(std::uint64_t tick);
+  void Brake(Car& car, double seconds) const;
   bool BrakeLeader(double seconds);
+  bool BrakeNamed(const logic::Term& name, double seconds);
   void Judge();
   void Count(double braking_before);
   void CheckTrip();

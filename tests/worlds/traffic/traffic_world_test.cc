@@ -142,6 +142,12 @@ TEST_F(TrafficWorldTest, Events_ChangeTheTrafficOrSayWhyNot) {
   EXPECT_EQ(world_.HandleEvent(1, Event("sight", {Term::Real(-1)})).size(), 1U);
   const Term nobody = Term::Constant(symbols_.Intern("nobody"));
   EXPECT_EQ(world_.HandleEvent(1, Event("brakes", {nobody, Term::Real(1)})).size(), 1U);
+  const Car& other = world_.road().cars()[5];
+  const double others_before = other.speed;
+  const Term name = Term::Constant(other.name);
+  EXPECT_TRUE(world_.HandleEvent(1, Event("brakes", {name, Term::Real(2)})).empty());
+  for (int i = 0; i < 10; ++i) Tick({Accelerate(-8)});
+  EXPECT_LT(other.speed, others_before - 3);
 }
 
 TEST_F(TrafficWorldTest, SameSeed_SameRun_AnotherSeed_Another) {
