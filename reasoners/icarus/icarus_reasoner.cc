@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "reasoners/icarus/explain_act.h"
+#include "reasoners/icarus/body/explanation.h"
 #include "reasoners/icarus/icarus_options.h"
 #include "reasoners/icarus/language/walk.h"
 #include "reasoners/icarus/read_program_file.h"
@@ -172,12 +172,13 @@ void IcarusReasoner::Decide(std::span<const sdk::Latch> latches, const sdk::Budg
   problem_.clear();
   if (!SetLatches(latches)) problem_ = "not all facts of the latches get into memory";
   host_->ResetCalls();
-  CycleLimits limits;
-  limits.depth = budget.depth;
-  limits.clauses = budget.inferences;
-  limits.cancelled = budget.cancelled;
-  limits.deadline = budget.deadline;
-  const CycleResult& result = loaded_.interpreter->Cycle(loaded_.top, limits);
+  limits_.depth = budget.depth;
+  limits_.clauses = budget.inferences;
+  limits_.cancelled = budget.cancelled;
+  limits_.deadline = budget.deadline;
+  const CycleResult& result = loaded_.interpreter->Cycle(loaded_.top, limits_);
+  limits_.cancelled = nullptr;
+  limits_.deadline.reset();
   last_ = &result;
   Conclude(result, decision);
   Judge(result, decision);
@@ -245,6 +246,8 @@ void IcarusReasoner::AddConclusion(std::size_t goal, Origin origin, sdk::Decisio
   };
   shift(decision.conclusions);
   shift(origins_);
+  facts_.resize(conclusions_ + 1);
+  for (std::size_t i = at; i <= conclusions_; ++i) facts_[i] = decision.conclusions[i].fact;
   ++conclusions_;
 }
 
@@ -312,13 +315,11 @@ std::string IcarusReasoner::Text(const Fault& fault) const {
 
 sdk::Derivation IcarusReasoner::Explain(std::size_t conclusion) {
   if (last_ == nullptr || conclusion >= conclusions_) return {};
-  const Act& act = last_->acts[origins_[conclusion].act];
-  logic::Fact fact;
-  const ActCall& call = act.calls[origins_[conclusion].call];
-  terms_.resize(call.arguments.size());
-  for (std::size_t i = 0; i < terms_.size(); ++i) bridge_->Export(call.arguments[i], terms_[i]);
-  fact = logic::Fact(bridge_->Export(call.function), terms_);
-  return ExplainAct(act, fact, loaded_.file->program, *bridge_);
+  const ActCall& call = last_->acts[origins_[conclusion].act].calls[origins_[conclusion].call];
+  Explanation explanation(loaded_.file->program, *bridge_, names_, call,
+                          logic::ToString(facts_[conclusion]));
+  loaded_.interpreter->Replay(loaded_.top, limits_, explanation);
+  return explanation.Take();
 }
 
 void IcarusReasoner::Admit(std::span<const sdk::Latch> /*latches*/, std::size_t /*port*/,

@@ -43,6 +43,8 @@ class IcarusReasoner final : public sdk::Reasoner {
   logic::Diagnostics Tell(std::string_view text) override;
   /// Takes out a skill that no other calls, or a constant that is not used.
   logic::Diagnostics Retract(std::string_view name) override;
+  /// Goes through the cycle again, in a copy of memory as it is now: where the program changed what
+  /// the act rests on after it was found, the derivation is empty.
   sdk::Derivation Explain(std::size_t conclusion) override;
 
  private:
@@ -82,7 +84,9 @@ class IcarusReasoner final : public sdk::Reasoner {
   std::vector<NameId> goal_names_;
   logic::Fact fact_;
   std::vector<logic::Term> terms_;
-  std::vector<Origin> origins_;  ///< By conclusion.
+  std::vector<Origin> origins_;     ///< By conclusion.
+  std::vector<logic::Fact> facts_;  ///< The conclusions.
+  CycleLimits limits_;              ///< Of the last cycle.
   std::size_t conclusions_ = 0;
   std::string problem_;  ///< The first thing that went wrong outside of the program.
   std::string stopped_;  ///< The fault that stopped the program for good.

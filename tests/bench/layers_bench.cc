@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the four layers of the office agent decide in scenario 3, another floor: the latches of a
-// run are recorded, then every layer goes through its cycles again, timed one by one.
+// run are recorded, then every layer goes through its cycles again, timed one by one, with its
+// theory in the prover and with its program in the Icarus interpreter.
 #include <benchmark/benchmark.h>
 
 #include <vector>
@@ -14,11 +15,13 @@ namespace {
 
 void LayerDecides(benchmark::State& state) {
   Recording& recording = TheRecording();
-  auto agent = MakeAgent("scenario3.xml", recording.registry, recording.symbols, 1);
+  const bool is_program = state.range(1) == 1;
+  auto agent = MakeAgent("scenario3.xml", recording.registry, recording.symbols, 1,
+                         is_program ? "icarus.xml" : "");
   if (!agent) return state.SkipWithError("cannot assemble scenario3.xml");
   const auto layer = static_cast<std::size_t>(state.range(0));
   sdk::Reasoner& reasoner = *agent->layers[layer].reasoner;
-  state.SetLabel(agent->description.layers[layer].name);
+  state.SetLabel(agent->description.layers[layer].name + (is_program ? " icarus" : " pttp"));
   Sample micros;
   Sample admission_micros;
   Sample inferences;
@@ -42,7 +45,10 @@ void LayerDecides(benchmark::State& state) {
   if (!admission_micros.empty()) admission_micros.Report("admit_us", state);
   inferences.Report("inf", state);
 }
-BENCHMARK(LayerDecides)->DenseRange(0, 3)->ArgName("layer")->Unit(benchmark::kMillisecond);
+BENCHMARK(LayerDecides)
+    ->ArgsProduct({{0, 1, 2, 3}, {0, 1}})
+    ->ArgNames({"layer", "program"})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace latchwork

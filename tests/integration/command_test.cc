@@ -165,8 +165,9 @@ TEST_F(CommandTest, PluginShow_TellsPortsParametersAndAnExample) {
   const CommandResult result = Latchwork({"plugin", "show", "avoid"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.out, StartsWith("layer avoid "));
-  for (const char* part : {"Inputs\n  sonar", "Outputs\n  motion (cannot be inhibited)",
-                           "  repulsion ", "  tptp, icarus\n", "<layer name=\"avoid\" plugin=\"avoid\""}) {
+  for (const char* part :
+       {"Inputs\n  sonar", "Outputs\n  motion (cannot be inhibited)", "  repulsion ",
+        "  tptp, icarus\n", "<layer name=\"avoid\" plugin=\"avoid\""}) {
     EXPECT_THAT(result.out, HasSubstr(part));
   }
 }

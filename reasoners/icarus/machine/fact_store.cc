@@ -193,6 +193,17 @@ void FactStore::Release(const Fact* fact) {
   if (--const_cast<Fact*>(fact)->holders == 0 && !fact->stored) Remove(fact);
 }
 
+void FactStore::CopyFrom(const FactStore& other) {
+  for (const Fact* fact = other.first_; fact != nullptr; fact = fact->next) {
+    if (fact->died != 0 && fact->holders == 0) continue;
+    Fact* const copy = NewFact(fact->value, fact->order);
+    copy->stored = true;
+    Link(copy, last_);
+    LinkInBucket(BucketOf(copy->value), copy);
+  }
+  next_order_ = other.next_order_;
+}
+
 void FactStore::Swap(FactStore& other) {
   std::swap(buckets_, other.buckets_);
   std::swap(table_, other.table_);

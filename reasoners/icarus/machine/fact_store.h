@@ -70,6 +70,8 @@ class FactStore {
   /// `after`: the fact before that place, null when not known. Null: memory is full.
   const Fact* Hold(const Value& list, std::uint64_t place, const Fact* after);
   void Release(const Fact* fact);
+  /// Stores the facts of another as its Tidy would leave them.
+  void CopyFrom(const FactStore& other);
   /// Exchanges all they have; facts keep their addresses.
   void Swap(FactStore& other);
 

@@ -184,6 +184,23 @@ void Interpreter::Ask(std::size_t query, EnvironmentSink& sink) {
   implementation_->queries.Ask(query, implementation_->machine, sink);
 }
 
+void Interpreter::Replay(std::size_t top, const CycleLimits& limits, EventSink& sink) {
+  Implementation& own = *implementation_;
+  FactStore memory;
+  memory.Swap(own.memory);
+  own.memory.CopyFrom(memory);
+  SequenceStates sequences = own.machine.sequences().Copy();
+  std::swap(sequences, own.machine.sequences());
+  EventSink* const before = own.machine.sink();
+  own.machine.SetSink(&sink);
+  own.machine.Run(own.tops.at(top).entry,
+                  static_cast<std::uint32_t>(own.tops[top].variables.size()), own.cycle, limits);
+  own.machine.SetSink(before);
+  std::swap(sequences, own.machine.sequences());
+  own.memory.Swap(memory);
+  for (Act& act : own.issued[0].acts) act.path = nullptr;
+}
+
 namespace {
 
 /// For each skill of `before` the number of the same skill in `now`.

@@ -146,6 +146,10 @@ class Interpreter {
   /// To be called from Host::Call alone. Throws when host functions ask each other without end.
   void Ask(std::size_t query, EnvironmentSink& sink);
 
+  /// Evaluates a top call once more, as the cycle of the last number, and tells a sink of it.
+  /// Memory and sequences are as they were afterwards; paths of acts are not.
+  void Replay(std::size_t top, const CycleLimits& limits, EventSink& sink);
+
   /// Goes on where another interpreter is, which is of no use then: with its memory, to which this
   /// program's initial facts from `first_fact` on are added, its acts, and the states of the
   /// sequences that are the same in both programs.

@@ -59,6 +59,7 @@ class Machine {
   SequenceStates& sequences() { return sequences_; }
   /// Takes effect with the next Run.
   void SetSink(EventSink* sink) { sink_ = sink; }
+  EventSink* sink() const { return sink_; }
 
  private:
   static constexpr std::size_t kMostFaults = 16;

@@ -33,6 +33,20 @@ void SequenceStates::Clear() {
   states_.clear();
 }
 
+SequenceStates SequenceStates::Copy() const {
+  SequenceStates copy;
+  for (const auto& state : states_) {
+    auto& made = *copy.states_.emplace_back(std::make_unique<State>());
+    made.skill = state->skill;
+    made.step = state->step;
+    made.touched = state->touched;
+    made.key = state->key;
+    made.environment = state->environment;
+    Keep(made);
+  }
+  return copy;
+}
+
 void SequenceStates::TakeOver(SequenceStates& other, std::span<const std::uint32_t> skills) {
   for (auto& state : other.states_) {
     const std::uint32_t skill = skills[state->skill];

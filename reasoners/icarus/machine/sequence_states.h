@@ -31,6 +31,7 @@ class SequenceStates {
   State& at(std::size_t index) { return *states_[index]; }
 
   void Clear();
+  SequenceStates Copy() const;
   /// Goes on with the states of another program's skills: `skills[i]` is the number here of its
   /// skill i, or kNoSkillHere when that is another skill now.
   void TakeOver(SequenceStates& other, std::span<const std::uint32_t> skills);

@@ -213,21 +213,5 @@ TEST(IcarusReasonerTest, FaultsStopTheProgram) {
   EXPECT_THAT(mind.decision.message, HasSubstr("another type"));
 }
 
-TEST(IcarusReasonerTest, ExplainsByTheSkillsThatLedToTheAct) {
-  ProgramMind mind(kFollow);
-  AddFollow(mind);
-  mind.Load();
-  mind.Latch(0, {"seen(anna, 7)"});
-  mind.Decide();
-  const sdk::Derivation derivation = mind.reasoner.Explain(0);
-  std::vector<std::string> steps;
-  for (const auto& step : derivation.steps) {
-    steps.push_back(std::to_string(step.place.line) + ": " + step.conclusion);
-  }
-  EXPECT_THAT(steps, ElementsAre("1: 'Follow'", "2: 'GoTo'(7)", "3: go(7)"));
-  EXPECT_THAT(derivation.steps.back().premises, ElementsAre(1U));
-  EXPECT_THAT(mind.reasoner.Explain(1).steps, IsEmpty());
-}
-
 }  // namespace
 }  // namespace latchwork::icarus::testing
