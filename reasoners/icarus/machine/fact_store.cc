@@ -1,78 +1,119 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reasoners/icarus/machine/fact_store.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace latchwork::icarus {
 
+namespace {
+
+constexpr std::size_t kHeads = 0;  ///< In Fact::next_alike.
+constexpr std::size_t kSeconds = 1;
+
+}  // namespace
+
 /// A fact with memory of its own, which it keeps when it is used again.
 struct FactStore::Record : Fact {
   Arena arena{256};
+  Fact* previous = nullptr;
+  std::array<Bucket*, 2> buckets = {};
 };
 
 FactStore::FactStore() : table_(64, nullptr) {}
 FactStore::~FactStore() = default;
 
-NameId FactStore::HeadOf(const Value& list) {
+FactStore::Key FactStore::HeadKey(const Value& list) {
   const auto items = list.list->items();
-  return !items.empty() && items[0].kind == ValueKind::kSymbol ? items[0].name : kNoName;
+  const bool named = !items.empty() && items[0].kind == ValueKind::kSymbol;
+  return {named ? items[0].name : kNoName, list.list->size, 0};
 }
 
-FactStore::Bucket* FactStore::FindBucket(NameId head, std::size_t length) const {
-  const std::size_t mask = table_.size() - 1;
-  std::size_t at = (head * 0x9e3779b1U + length * 0x85ebca6bU) & mask;
-  while (table_[at] != nullptr) {
-    if (table_[at]->head == head && table_[at]->length == length) return table_[at];
-    at = (at + 1) & mask;
-  }
-  return nullptr;
+FactStore::Key FactStore::SecondKey(NameId head, std::size_t length, const Value& second) {
+  return {head, static_cast<std::uint32_t>(length), Hash(second) | 1U};
+}
+
+/// That of the head where there is no second item.
+FactStore::Key FactStore::SecondKey(const Value& list) {
+  const Key key = HeadKey(list);
+  return key.length < 2 ? key : SecondKey(key.head, key.length, list.list->items()[1]);
+}
+
+std::size_t FactStore::PlaceOf(const Key& key) const {
+  std::uint64_t hash = key.second ^ (key.head * 0x9e3779b97f4a7c15ULL + key.length);
+  hash = (hash ^ (hash >> 32U)) * 0xd6e8feb86659fd93ULL;
+  return (hash >> 32U) & (table_.size() - 1);
+}
+
+FactStore::Bucket* FactStore::FindBucket(const Key& key) const {
+  Bucket* bucket = table_[PlaceOf(key)];
+  while (bucket != nullptr && !(bucket->key == key)) bucket = bucket->next;
+  return bucket;
 }
 
 void FactStore::Grow() {
-  table_.assign(table_.size() * 2, nullptr);
-  const std::size_t mask = table_.size() - 1;
-  for (const auto& bucket : buckets_) {
-    std::size_t at = (bucket->head * 0x9e3779b1U + bucket->length * 0x85ebca6bU) & mask;
-    while (table_[at] != nullptr) at = (at + 1) & mask;
-    table_[at] = bucket.get();
+  std::vector<Bucket*> old(table_.size() * 2, nullptr);
+  old.swap(table_);
+  for (Bucket* bucket : old) {
+    while (bucket != nullptr) {
+      Bucket*& place = table_[PlaceOf(bucket->key)];
+      bucket = std::exchange(bucket->next, std::exchange(place, bucket));
+    }
   }
 }
 
-FactStore::Bucket& FactStore::BucketOf(const Value& list) {
-  const NameId head = HeadOf(list);
-  const std::uint32_t length = list.list->size;
-  if (Bucket* const known = FindBucket(head, length)) return *known;
-  if (buckets_.size() * 2 >= table_.size()) Grow();
-  auto made = std::make_unique<Bucket>();
-  made->head = head;
-  made->length = length;
-  const std::size_t mask = table_.size() - 1;
-  std::size_t at = (head * 0x9e3779b1U + length * 0x85ebca6bU) & mask;
-  while (table_[at] != nullptr) at = (at + 1) & mask;
-  table_[at] = made.get();
-  buckets_.push_back(std::move(made));
-  return *buckets_.back();
+FactStore::Bucket& FactStore::BucketOf(const Key& key) {
+  if (Bucket* const known = FindBucket(key)) return *known;
+  if (++used_buckets_ > table_.size()) Grow();
+  if (free_buckets_ == nullptr) {
+    buckets_.push_back(std::make_unique<Bucket>());
+    free_buckets_ = buckets_.back().get();
+  }
+  Bucket& bucket = *free_buckets_;
+  free_buckets_ = bucket.next;
+  bucket = Bucket();
+  bucket.key = key;
+  Bucket*& place = table_[PlaceOf(key)];
+  bucket.next = std::exchange(place, &bucket);
+  return bucket;
+}
+
+/// An empty bucket goes out of the table.
+void FactStore::Drop(Bucket& bucket) {
+  Bucket** link = &table_[PlaceOf(bucket.key)];
+  while (*link != &bucket) link = &(*link)->next;
+  *link = bucket.next;
+  bucket.next = std::exchange(free_buckets_, &bucket);
+  --used_buckets_;
 }
 
 const FactStore::Fact* FactStore::First(NameId head, std::size_t length) const {
-  const Bucket* const bucket = FindBucket(head, length);
+  const Bucket* const bucket = FindBucket({head, static_cast<std::uint32_t>(length), 0});
+  return bucket == nullptr ? nullptr : bucket->first;
+}
+
+const FactStore::Fact* FactStore::First(NameId head, std::size_t length,
+                                        const Value& second) const {
+  const Bucket* const bucket = FindBucket(SecondKey(head, length, second));
   return bucket == nullptr ? nullptr : bucket->first;
 }
 
 FactStore::Fact* FactStore::Find(const Value& list) const {
-  const Bucket* const bucket = FindBucket(HeadOf(list), list.list->size);
+  const Key key = SecondKey(list);
+  const std::size_t chain = key.second == 0 ? kHeads : kSeconds;
+  const Bucket* const bucket = FindBucket(key);
   Fact* fact = bucket == nullptr ? nullptr : bucket->first;
   while (fact != nullptr && (fact->died != 0 || !Equal(fact->value, list))) {
-    fact = fact->next_in_bucket;
+    fact = fact->next_alike[chain];
   }
   return fact;
 }
 
-FactStore::Fact* FactStore::NewFact(const Value& list, std::uint64_t order) {
+/// A fact in its places: behind `after`, at the start when that is null.
+FactStore::Record* FactStore::NewFact(const Value& list, std::uint64_t order, Fact* after) {
   if (free_.empty()) {
     records_.push_back(std::make_unique<Record>());
     free_.reserve(records_.size());
+    dead_.reserve(records_.size());
     free_.push_back(records_.back().get());
   }
   Record& record = *free_.back();
@@ -83,25 +124,33 @@ FactStore::Fact* FactStore::NewFact(const Value& list, std::uint64_t order) {
   record.born = ++version_;
   record.order = order;
   ++size_;
+  record.previous = after;
+  Fact*& link = after == nullptr ? first_ : after->next;
+  record.next = link;
+  link = &record;
+  if (record.next != nullptr) {
+    static_cast<Record*>(record.next)->previous = &record;
+  } else {
+    last_ = &record;
+  }
+  const Key second = SecondKey(record.value);
+  record.buckets[kHeads] = &BucketOf(HeadKey(record.value));
+  record.buckets[kSeconds] = second.second == 0 ? nullptr : &BucketOf(second);
+  for (const std::size_t chain : {kHeads, kSeconds}) {
+    if (record.buckets[chain] != nullptr) LinkInBucket(*record.buckets[chain], chain, &record);
+  }
   return &record;
 }
 
-void FactStore::Link(Fact* fact, Fact* after) {
-  Fact*& link = after == nullptr ? first_ : after->next;
-  fact->next = link;
-  link = fact;
-  if (last_ == after) last_ = fact;
-}
-
 /// Behind all facts of the same or a lower order.
-void FactStore::LinkInBucket(Bucket& bucket, Fact* fact) {
+void FactStore::LinkInBucket(Bucket& bucket, std::size_t chain, Fact* fact) {
   Fact* after = bucket.last;
   if (after != nullptr && after->order > fact->order) {
     after = nullptr;
-    for (Fact* f = bucket.first; f->order <= fact->order; f = f->next_in_bucket) after = f;
+    for (Fact* f = bucket.first; f->order <= fact->order; f = f->next_alike[chain]) after = f;
   }
-  Fact*& link = after == nullptr ? bucket.first : after->next_in_bucket;
-  fact->next_in_bucket = link;
+  Fact*& link = after == nullptr ? bucket.first : after->next_alike[chain];
+  fact->next_alike[chain] = link;
   link = fact;
   if (bucket.last == after) bucket.last = fact;
 }
@@ -109,20 +158,19 @@ void FactStore::LinkInBucket(Bucket& bucket, Fact* fact) {
 bool FactStore::Store(const Value& list) {
   if (Fact* const known = Find(list)) return known->stored = true;
   if (size_ >= kMostFacts) return false;
-  Bucket& bucket = BucketOf(list);
-  Fact* const fact = NewFact(list, next_order_++);
-  fact->stored = true;
-  Link(fact, last_);
-  LinkInBucket(bucket, fact);
+  NewFact(list, next_order_++, last_)->stored = true;
   return true;
 }
 
 void FactStore::Remove(const Fact* fact) {
-  if (fact->died != 0) return;
-  const_cast<Fact*>(fact)->died = ++version_;
-  const_cast<Fact*>(fact)->stored = false;
+  if (fact->died == 0) Kill(static_cast<Record*>(const_cast<Fact*>(fact)));
+}
+
+void FactStore::Kill(Record* record) {
+  record->died = ++version_;
+  record->stored = false;
   --size_;
-  ++dead_;
+  dead_.push_back(record);
 }
 
 void FactStore::Replace(const Fact* fact, const Value& list) {
@@ -130,37 +178,58 @@ void FactStore::Replace(const Fact* fact, const Value& list) {
   Remove(fact);
   if (Fact* const known = Find(list)) {
     known->stored = true;
-    return;
+  } else {
+    NewFact(list, fact->order, const_cast<Fact*>(fact))->stored = true;
   }
-  Bucket& bucket = BucketOf(list);
-  Fact* const fresh = NewFact(list, fact->order);
-  fresh->stored = true;
-  Link(fresh, const_cast<Fact*>(fact));
-  LinkInBucket(bucket, fresh);
+}
+
+void FactStore::Unlink(Record* record) {
+  (record->previous == nullptr ? first_ : record->previous->next) = record->next;
+  if (record->next == nullptr) {
+    last_ = record->previous;
+  } else {
+    static_cast<Record*>(record->next)->previous = record->previous;
+  }
+  for (Bucket* const bucket : record->buckets) {
+    if (bucket != nullptr) bucket->dirty = true;
+  }
+}
+
+/// Takes the dead out of a bucket.
+void FactStore::Clean(Bucket& bucket, std::size_t chain) {
+  bucket.dirty = false;
+  bucket.last = nullptr;
+  Fact** link = &bucket.first;
+  while (*link != nullptr) {
+    if ((*link)->died == 0) {
+      bucket.last = *link;
+      link = &(*link)->next_alike[chain];
+    } else {
+      *link = (*link)->next_alike[chain];
+    }
+  }
+  if (bucket.first == nullptr) Drop(bucket);
 }
 
 void FactStore::Tidy() {
-  if (dead_ == 0) return;
-  for (const auto& bucket : buckets_) bucket->first = bucket->last = nullptr;
-  Fact* fact = first_;
-  first_ = last_ = nullptr;
-  while (fact != nullptr) {
-    Fact* const next = fact->next;
-    fact->next = fact->next_in_bucket = nullptr;
-    if (fact->died != 0 && fact->holders > 0) {
-      fact->died = 0;
-      fact->born = ++version_;
+  for (Record* const record : dead_) {
+    if (record->holders > 0) {
+      record->died = 0;
+      record->born = ++version_;
       ++size_;
-    }
-    if (fact->died == 0) {
-      Link(fact, last_);
-      LinkInBucket(BucketOf(fact->value), fact);
     } else {
-      free_.push_back(static_cast<Record*>(fact));
+      Unlink(record);
     }
-    fact = next;
   }
-  dead_ = 0;
+  for (Record* const record : dead_) {
+    if (record->died == 0) continue;
+    for (const std::size_t chain : {kHeads, kSeconds}) {
+      Bucket* const bucket = record->buckets[chain];
+      if (bucket != nullptr && bucket->dirty) Clean(*bucket, chain);
+    }
+    free_.push_back(record);
+  }
+  dead_.clear();
 }
 
 std::uint64_t FactStore::OpenPlace() {
@@ -180,10 +249,7 @@ const FactStore::Fact* FactStore::Hold(const Value& list, std::uint64_t place, c
   Fact* fact = Find(list);
   if (fact == nullptr) {
     if (size_ >= kMostFacts) return nullptr;
-    Bucket& bucket = BucketOf(list);
-    fact = NewFact(list, place);
-    Link(fact, after == nullptr ? LastBefore(place) : const_cast<Fact*>(after));
-    LinkInBucket(bucket, fact);
+    fact = NewFact(list, place, after == nullptr ? LastBefore(place) : const_cast<Fact*>(after));
   }
   ++fact->holders;
   return fact;
@@ -196,10 +262,7 @@ void FactStore::Release(const Fact* fact) {
 void FactStore::CopyFrom(const FactStore& other) {
   for (const Fact* fact = other.first_; fact != nullptr; fact = fact->next) {
     if (fact->died != 0 && fact->holders == 0) continue;
-    Fact* const copy = NewFact(fact->value, fact->order);
-    copy->stored = true;
-    Link(copy, last_);
-    LinkInBucket(BucketOf(copy->value), copy);
+    NewFact(fact->value, fact->order, last_)->stored = true;
   }
   next_order_ = other.next_order_;
 }
@@ -207,12 +270,14 @@ void FactStore::CopyFrom(const FactStore& other) {
 void FactStore::Swap(FactStore& other) {
   std::swap(buckets_, other.buckets_);
   std::swap(table_, other.table_);
+  std::swap(used_buckets_, other.used_buckets_);
+  std::swap(free_buckets_, other.free_buckets_);
   std::swap(records_, other.records_);
   std::swap(free_, other.free_);
+  std::swap(dead_, other.dead_);
   std::swap(first_, other.first_);
   std::swap(last_, other.last_);
   std::swap(size_, other.size_);
-  std::swap(dead_, other.dead_);
   std::swap(version_, other.version_);
   std::swap(next_order_, other.next_order_);
 }

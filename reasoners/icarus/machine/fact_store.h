@@ -2,6 +2,7 @@
 #ifndef LATCHWORK_ICARUS_FACT_STORE_H_
 #define LATCHWORK_ICARUS_FACT_STORE_H_
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -11,7 +12,8 @@
 
 namespace latchwork::icarus {
 
-/// Short-term memory: an ordered list of ground lists, indexed by head and length. What is written
+/// Short-term memory: an ordered list of ground lists, indexed by head and length, and by the item
+/// after the head. What is written
 /// is visible at once, but an enumeration sees memory as it was when it began. Facts taken out stay
 /// readable until Tidy. Besides what is stored, a host may hold facts: they are in memory as long
 /// as somebody holds them. Uses memory again; allocates while it grows.
@@ -26,8 +28,9 @@ class FactStore {
     std::uint64_t order = 0;
     std::uint32_t holders = 0;
     bool stored = false;
-    Fact* next = nullptr;            ///< In the order of memory.
-    Fact* next_in_bucket = nullptr;  ///< Of the same head and length.
+    Fact* next = nullptr;  ///< In the order of memory.
+    /// Of the same head and length; of those that may have the same second item.
+    std::array<Fact*, 2> next_alike = {};
 
     bool VisibleAt(Version version) const {
       return born <= version && (died == 0 || died > version);
@@ -45,8 +48,16 @@ class FactStore {
   Version version() const { return version_; }
   std::size_t size() const { return size_; }
 
+  /// Which facts an enumeration goes through: all, those of one head and length, or of these, too,
+  /// those of one second item.
+  enum class Chain : std::uint8_t { kAll, kHead, kSecond };
+  static const Fact* Next(const Fact* fact, Chain chain) {
+    return chain == Chain::kAll ? fact->next : fact->next_alike[chain == Chain::kHead ? 0 : 1];
+  }
   /// The first fact that may match a list of this head, a symbol, and length.
   const Fact* First(NameId head, std::size_t length) const;
+  /// The first of those that may have this second item.
+  const Fact* First(NameId head, std::size_t length, const Value& second) const;
   /// The first fact of all.
   const Fact* First() const { return first_; }
 
@@ -76,31 +87,47 @@ class FactStore {
   void Swap(FactStore& other);
 
  private:
-  struct Bucket {
+  struct Key {
     NameId head = kNoName;
     std::uint32_t length = 0;
+    std::uint64_t second = 0;  ///< Hash of the second item; 0: whatever it is.
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  /// The facts of one key, in the order of memory.
+  struct Bucket {
+    Key key;
     Fact* first = nullptr;
     Fact* last = nullptr;
+    Bucket* next = nullptr;  ///< At the same place of the table, or free.
+    bool dirty = false;      ///< Facts of it were taken out.
   };
   struct Record;
 
+  static Key HeadKey(const Value& list);
+  static Key SecondKey(const Value& list);
+  static Key SecondKey(NameId head, std::size_t length, const Value& second);
   Fact* LastBefore(std::uint64_t order) const;
-  static NameId HeadOf(const Value& list);
-  Bucket* FindBucket(NameId head, std::size_t length) const;
-  Bucket& BucketOf(const Value& list);
+  std::size_t PlaceOf(const Key& key) const;
+  Bucket* FindBucket(const Key& key) const;
+  Bucket& BucketOf(const Key& key);
   void Grow();
-  Fact* NewFact(const Value& list, std::uint64_t order);
-  void Link(Fact* fact, Fact* after);
-  static void LinkInBucket(Bucket& bucket, Fact* fact);
+  void Drop(Bucket& bucket);
+  Record* NewFact(const Value& list, std::uint64_t order, Fact* after);
+  void Unlink(Record* record);
+  void Clean(Bucket& bucket, std::size_t chain);
+  static void LinkInBucket(Bucket& bucket, std::size_t chain, Fact* fact);
+  void Kill(Record* record);
 
   std::vector<std::unique_ptr<Bucket>> buckets_;
-  std::vector<Bucket*> table_;  ///< Open addressing by head and length; a power of two.
+  std::vector<Bucket*> table_;  ///< Buckets by their keys; a power of two.
+  std::size_t used_buckets_ = 0;
+  Bucket* free_buckets_ = nullptr;
   std::vector<std::unique_ptr<Record>> records_;
   std::vector<Record*> free_;
+  std::vector<Record*> dead_;
   Fact* first_ = nullptr;
   Fact* last_ = nullptr;
   std::size_t size_ = 0;
-  std::size_t dead_ = 0;
   Version version_ = 1;
   std::uint64_t next_order_ = 1;
 };

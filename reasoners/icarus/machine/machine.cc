@@ -315,26 +315,50 @@ void Machine::CollectVariables(const TermCode& term, Index base) {
   for (std::uint32_t i = 0; i < term.b; ++i) CollectVariables(code_.terms[term.a + i], base);
 }
 
+/// The facts that a pattern is compared with.
+FactStore::Chain Machine::ChainOf(const Instruction& pattern) const {
+  if (HeadOf(pattern) == kNoName) return FactStore::Chain::kAll;
+  if (pattern.c < 2) return FactStore::Chain::kHead;
+  const TermCode& second = code_.terms[pattern.b + 1];
+  const bool known =
+      second.kind == TermCode::Kind::kValue ||
+      (second.kind == TermCode::Kind::kVariable && !frames_[base_ + second.a].is_none());
+  return known ? FactStore::Chain::kSecond : FactStore::Chain::kHead;
+}
+
+/// The symbol that a pattern begins with; kNoName where it does not.
+NameId Machine::HeadOf(const Instruction& pattern) const {
+  if (pattern.a != kNoName) return pattern.a;
+  const TermCode& head = code_.terms[pattern.b];
+  if (head.kind != TermCode::Kind::kVariable) return kNoName;
+  const Value& value = frames_[base_ + head.a];
+  return value.kind == ValueKind::kSymbol ? value.name : kNoName;
+}
+
 bool Machine::Match(const Instruction& instruction) {
   if (!Spend(instruction.form)) return false;
-  NameId head = instruction.a;
-  if (head == kNoName) {
-    const Value value = Evaluate(code_.terms[instruction.b], base_);
-    if (value.kind == ValueKind::kSymbol) head = value.name;
+  const FactStore::Chain chain = ChainOf(instruction);
+  const FactStore::Fact* first = nullptr;
+  switch (chain) {
+    case FactStore::Chain::kAll:
+      first = memory_.First();
+      break;
+    case FactStore::Chain::kHead:
+      first = memory_.First(HeadOf(instruction), instruction.c);
+      break;
+    case FactStore::Chain::kSecond:
+      first = memory_.First(HeadOf(instruction), instruction.c,
+                            Evaluate(code_.terms[instruction.b + 1], base_));
   }
-  const FactStore::Fact* const first =
-      head == kNoName ? memory_.First() : memory_.First(head, instruction.c);
   return MatchFrom(instruction, first, memory_.version());
 }
 
 bool Machine::MatchFrom(const Instruction& instruction, const FactStore::Fact* fact,
                         FactStore::Version version) {
-  const TermCode& head = code_.terms[instruction.b];
-  const bool in_bucket =
-      instruction.a != kNoName || Evaluate(head, base_).kind == ValueKind::kSymbol;
+  const FactStore::Chain chain = ChainOf(instruction);
   const auto mark = static_cast<Index>(trail_.size());
   while (fact != nullptr) {
-    const FactStore::Fact* const next = in_bucket ? fact->next_in_bucket : fact->next;
+    const FactStore::Fact* const next = FactStore::Next(fact, chain);
     const std::span<const Value> items = fact->value.list->items();
     bool matches = fact->VisibleAt(version) && items.size() == instruction.c;
     for (std::uint32_t i = 0; matches && i < instruction.c; ++i) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reasoners/icarus/machine/code.h"
@@ -126,6 +127,8 @@ class Machine {
   bool Exit();
   bool IsRepeated(Scope& scope, const Instruction& call);
   void CollectVariables(const TermCode& term, Index base);
+  FactStore::Chain ChainOf(const Instruction& pattern) const;
+  NameId HeadOf(const Instruction& pattern) const;
   bool Match(const Instruction& instruction);
   bool MatchFrom(const Instruction& instruction, const FactStore::Fact* fact,
                  FactStore::Version version);
@@ -167,6 +170,7 @@ class Machine {
   Value CallBuiltin(const CallCode& call, std::span<const Value> arguments);
   Value Compare(Builtin builtin, const Value& a, const Value& b);
   Value Compute(Builtin builtin, std::span<const Value> arguments);
+  std::pair<const FactStore::Fact*, FactStore::Chain> FactsAlike(const TermCode& pattern) const;
   Value ChangeMemory(const CallCode& call, Index base);
   void StoreFact(const CallCode& call, const Value& fact);
   Value Truth(bool truth) const { return truth ? true_ : Value(); }

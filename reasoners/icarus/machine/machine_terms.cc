@@ -307,6 +307,18 @@ void Machine::StoreFact(const CallCode& call, const Value& fact) {
   if (traced() && memory_.size() != size) TraceMemory(EventKind::kStore, call.form, fact);
 }
 
+/// The facts that a pattern within a call is compared with.
+std::pair<const FactStore::Fact*, FactStore::Chain> Machine::FactsAlike(
+    const TermCode& pattern) const {
+  const bool list = pattern.kind == TermCode::Kind::kList && pattern.b > 0;
+  const TermCode* const head = list ? &code_.terms[pattern.a] : nullptr;
+  if (head != nullptr && head->kind == TermCode::Kind::kValue &&
+      head->value.kind == ValueKind::kSymbol) {
+    return {memory_.First(head->value.name, pattern.b), FactStore::Chain::kHead};
+  }
+  return {memory_.First(), FactStore::Chain::kAll};
+}
+
 /// {forget pattern} and {update pattern e}: what unifies with the pattern, by itself, goes.
 Value Machine::ChangeMemory(const CallCode& call, Index base) {
   const TermCode& pattern = code_.terms[call.first];
@@ -321,7 +333,8 @@ Value Machine::ChangeMemory(const CallCode& call, Index base) {
   const FactStore::Version version = memory_.version();
   const std::size_t mark = trail_.size();
   bool placed = fresh.is_none();
-  for (const FactStore::Fact* fact = memory_.First(); fact != nullptr; fact = fact->next) {
+  const auto [first, chain] = FactsAlike(pattern);
+  for (const FactStore::Fact* fact = first; fact != nullptr; fact = FactStore::Next(fact, chain)) {
     if (!fact->VisibleAt(version)) continue;
     const bool matches = Unify(pattern, fact->value, base);
     while (trail_.size() > mark) {
