@@ -97,6 +97,21 @@ TEST_F(IcarusCommandTest, Run_ScriptedWorld_PrintsActsAndTruth) {
             "3: stop {goforward} True ?d=0.5\n");
 }
 
+TEST_F(IcarusCommandTest, Run_BeginsWithTheTopOfTheProgram) {
+  WriteText(scratch_.path() / "w.world", "(cycle (expect {go}))");
+  const auto run = [&](const std::string& program, std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"run", "p.icarus", "--script", "w.world"});
+    return Icarus(more, program);
+  };
+  EXPECT_EQ(run("(top (Go))\n(Go () :action ({go}))\n").exit_code, 0);
+  EXPECT_EQ(run("(top (Stay))\n(Go () :action ({go}))\n(Stay () :action ({stay}))\n").exit_code, 1);
+  EXPECT_EQ(
+      run("(top (Stay))\n(Go () :action ({go}))\n(Stay () :action ({stay}))\n", {"--top", "(Go)"})
+          .exit_code,
+      0);
+  EXPECT_NE(run(kGood).err.find("no top call is given"), std::string::npos);
+}
+
 TEST_F(IcarusCommandTest, Run_Json_IsOneObjectPerCycle) {
   WriteText(scratch_.path() / "w.world", kApproach);
   const CommandResult result = Icarus({"run", "p.icarus", "--script", "w.world", "--json"}, kNear);

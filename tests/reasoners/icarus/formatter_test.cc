@@ -42,6 +42,11 @@ TEST(IcarusFormatterTest, CanonicalText_StaysAsItIs) {
   EXPECT_EQ(Formatted(testing::kFastest), testing::kFastest);
 }
 
+TEST(IcarusFormatterTest, Top_StandsOnItsLine) {
+  EXPECT_EQ(Formatted("(top\n  (Go 1\n 2))\n(top (?x) :objective ({f ?x})\n:means ((Go)))"),
+            "(top (Go 1 2))\n(top (?x)\n  :objective ({f ?x})\n  :means     ((Go)))\n");
+}
+
 TEST(IcarusFormatterTest, Comments_StayWithWhatTheyAreAbout) {
   constexpr std::string_view kText =
       ";; A program\n\n\n\n(CollideWithCar (?car) ; top\n :objective ; goal\n  ({InContact ?car})"

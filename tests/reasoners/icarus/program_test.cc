@@ -124,6 +124,29 @@ TEST(IcarusProgramTest, Unreachable_DependsOnTheTop) {
   EXPECT_EQ(Codes(kText, options), List{"3:2 I018"});
 }
 
+TEST(IcarusProgramTest, Top_IsACallOfASkill) {
+  constexpr std::string_view kSkills = "(A (?x) :action ({f ?x}))\n(B () :action ({f 1}))\n";
+  const auto with = [&](std::string_view top) {
+    return Codes(std::string(kSkills) + std::string(top));
+  };
+  EXPECT_EQ(with(""), List());
+  EXPECT_EQ(with("(top (A 1))"), List({"2:2 I018"}));
+  EXPECT_EQ(with("(top (A 1 2))"), List({"2:2 I018", "3:6 I011"}));
+  EXPECT_EQ(with("(top (A 1))(top (B))"), List({"3:12 I030"}));
+  EXPECT_EQ(with("(top (C))"), List({"3:7 I030"}));
+  EXPECT_EQ(with("(top (*not* (B)))"), List({"3:6 I030"}));
+  EXPECT_EQ(with("(top {f})"), List({"3:2 I005", "3:6 I007"}));
+}
+
+TEST(IcarusProgramTest, Top_MayBeTheNameOfASkill) {
+  EXPECT_EQ(Codes("(top (Top 1))\n(Top (?x) :action ({f ?x}))"), List());
+}
+
+TEST(IcarusProgramTest, Bind_TakesListsApart) {
+  EXPECT_EQ(Codes("(A () :requires ((bind (?x (?y ?)) {f}) {g ?x ?y}))"), List());
+  EXPECT_EQ(Codes("(A () :requires ((bind 1 {f})))"), List({"1:18 I010"}));
+}
+
 TEST(IcarusProgramTest, Strict_MakesFewArgumentsAnError) {
   CheckOptions options;
   options.strict = true;
