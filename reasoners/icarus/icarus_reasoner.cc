@@ -35,7 +35,7 @@ logic::Diagnostics IcarusReasoner::Load(const sdk::Body& body, const sdk::Parame
   for (const sdk::Goal& goal : body_.goals) {
     goal_names_.push_back(bridge_->Import(goal.pattern.predicate()));
   }
-  host_ = std::make_unique<AttachmentHost>(body_, *bridge_, names_);
+  host_ = std::make_unique<AttachmentHost>(body_, *bridge_);
   ProgramText text;
   logic::Diagnostics diagnostics;
   for (const auto& file : body_.files) ReadProgramFile(file, text, diagnostics);

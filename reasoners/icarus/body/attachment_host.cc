@@ -81,8 +81,8 @@ Term TermOf(const logic::Term& term) {
 
 }  // namespace
 
-AttachmentHost::AttachmentHost(const sdk::Body& body, TermBridge& bridge, NamePool& names)
-    : body_(body), bridge_(bridge), names_(names) {
+AttachmentHost::AttachmentHost(const sdk::Body& body, TermBridge& bridge)
+    : body_(body), bridge_(bridge) {
   for (const auto& attachment : body.attachments) {
     std::vector<ArgumentType> types;
     for (const auto& argument : attachment->signature().arguments) {
@@ -214,8 +214,9 @@ Clause AttachmentHost::ClauseOf(const logic::Literal& literal) const {
   } else {
     clause.terms.emplace_back().text = Fold(literal.atom.predicate().name());
   }
-  for (const logic::Term& argument : literal.atom.arguments())
+  for (const logic::Term& argument : literal.atom.arguments()) {
     clause.terms.push_back(TermOf(argument));
+  }
   if (literal.positive) return clause;
   Clause negation;
   negation.kind = ClauseKind::kNot;

@@ -22,9 +22,10 @@ namespace latchwork::icarus {
 /// to be acts. The facts of its inputs and parameters are those that memory may hold.
 class AttachmentHost final : public Host, private sdk::AttachmentContext {
  public:
-  AttachmentHost(const sdk::Body& body, TermBridge& bridge, NamePool& names);
+  AttachmentHost(const sdk::Body& body, TermBridge& bridge);
   AttachmentHost(const AttachmentHost&) = delete;
   AttachmentHost& operator=(const AttachmentHost&) = delete;
+  ~AttachmentHost() override = default;
 
   std::span<const Signature> functions() const override { return functions_; }
   std::optional<std::span<const Signature>> acts() const override { return acts_; }
@@ -54,7 +55,6 @@ class AttachmentHost final : public Host, private sdk::AttachmentContext {
 
   const sdk::Body& body_;
   TermBridge& bridge_;
-  NamePool& names_;
   Interpreter* interpreter_ = nullptr;
   const Program* program_ = nullptr;
   std::deque<std::string> texts_;

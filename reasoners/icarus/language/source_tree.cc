@@ -21,11 +21,13 @@ std::string Fold(std::string_view name) {
 }
 
 std::string_view SourceTree::Text(FormId id) const {
-  return std::string_view(text).substr(at(id).begin, at(id).end - at(id).begin);
+  const std::string_view all = text;
+  return all.substr(at(id).begin, at(id).end - at(id).begin);
 }
 
 std::string_view SourceTree::Text(const Comment& comment) const {
-  return std::string_view(text).substr(comment.begin, comment.end - comment.begin);
+  const std::string_view all = text;
+  return all.substr(comment.begin, comment.end - comment.begin);
 }
 
 std::string SourceTree::Folded(FormId id) const { return Fold(Text(id)); }

@@ -37,7 +37,7 @@ class QueryLevels {
   static constexpr std::size_t kMostLevels = 8;
 
   struct Level {
-    Level(const QueryLevels& own);
+    explicit Level(const QueryLevels& own);
     bool IsNew(std::span<const Value> environment, std::size_t index, std::size_t variables);
 
     CompiledProgram code;
