@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
+#include "latchwork/sdk/random.h"
 #include "tests/plugins/layer_mind.h"
 
 namespace latchwork::test {
@@ -61,6 +64,46 @@ void ElevatorsTest::ExpectNextStep(std::string_view reasoner) {
 
 TEST_P(ElevatorsTest, Situation_NextStepOfTheTheory) { ExpectNextStep("pttp"); }
 TEST_P(ElevatorsTest, Situation_NextStepOfTheProgram) { ExpectNextStep("icarus"); }
+
+/// Every place and target with the elevators in states of all kinds.
+TEST(ElevatorsAgreementTest, ProgramAndTheory_ConcludeTheSame) {
+  LayerMind theory("elevators");
+  LayerMind program("elevators", {}, kIcarusMind);
+  const sdk::RandomStream random(5, "situations");
+  const auto pick = [&](const std::vector<std::string>& from, std::uint64_t a, std::uint64_t b) {
+    return from[random.Index(from.size(), a, b)];
+  };
+  const std::vector<std::string> floors{"m1", "f11", "f12", "m2", "f21", "f22"};
+  std::size_t speaking = 0;
+  for (std::uint64_t i = 0; i < 600; ++i) {
+    std::vector<std::string> elevators;
+    std::string at = pick(floors, i, 0);
+    for (const std::string e : {"e1", "e2"}) {
+      const std::uint64_t number = e == "e1" ? 10 : 20;
+      elevators.push_back("elevator_at(" + e + ", " + pick({"1", "2"}, i, number) + ")");
+      if (random.Index(2, i, number + 1) == 0) elevators.push_back("elevator_open(" + e + ")");
+      if (random.Index(4, i, number + 2) == 0) {
+        elevators.push_back("elevator_out_of_order(" + e + ")");
+      }
+    }
+    if (random.Index(3, i, 1) == 0) {
+      at = "c1";
+      if (random.Index(3, i, 2) != 0) elevators.push_back("inside(e1)");
+    }
+    const std::string target = pick(floors, i, 3);
+    for (LayerMind* mind : {&theory, &program}) {
+      mind->Latch("building", kBuilding);
+      mind->Latch("place", {"curr_landmark(" + at + ")"});
+      mind->Latch("elevators", elevators);
+      mind->Latch("target", {"target_landmark(" + target + ")"});
+    }
+    const auto expected = theory.Decide();
+    EXPECT_EQ(program.Decide(), expected)
+        << at << " to " << target << ::testing::PrintToString(elevators);
+    if (!expected.empty()) ++speaking;
+  }
+  EXPECT_GT(speaking, 300U);
+}
 
 INSTANTIATE_TEST_SUITE_P(
     DecisionTable, ElevatorsTest,
