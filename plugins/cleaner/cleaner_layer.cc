@@ -81,10 +81,10 @@ std::span<const ParameterSpec> CleanerLayer::parameters() const {
   static const std::vector<ParameterSpec> parameters{
       Number("cruise", "0.5", 0.1, 2, "m/s", "speed on a free way"),
       Number("reserve", "0.08", 0, 1, "", "part of the charge that is to be left at the dock"),
-      Number("charge_per_tile", "0.0025", 0, 1, "",
+      Number("charge_per_tile", "0.00125", 0, 1, "",
              "part of the charge that a tile of the way home takes, turns included"),
       Number("watch_below", "0.6", 0, 1, "",
-             "charge below which the way home is looked up all the time"),
+             "charge below which it keeps in mind how far it is from home"),
       Number("full", "0.97", 0, 1, "", "charge with which it goes back to work")};
   return parameters;
 }

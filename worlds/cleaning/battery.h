@@ -9,11 +9,11 @@ namespace latchwork::cleaning {
 
 /// Powers in W, of the battery's contents in J.
 struct BatteryOptions {
-  double capacity = 15000;
+  double capacity = 30000;
   double idle_power = 8;    ///< Always.
   double brush_power = 22;  ///< Off the dock.
   double drive_power = 40;  ///< For each m/s.
-  double dock_power = 180;  ///< What the dock gives.
+  double dock_power = 300;  ///< What the dock gives.
 };
 
 /// What the robot lives on.

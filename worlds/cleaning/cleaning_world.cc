@@ -77,7 +77,7 @@ logic::Diagnostics CleaningWorld::Load(const sdk::WorldSetup& setup,
   target_ = parameters.Real("target");
   seconds_ = 0;
   touching_ = false;
-  docked_ = true;
+  rests_ = true;
   bumps_ = charges_ = 0;
   outcome_ = {};
   return {};
@@ -121,8 +121,9 @@ void CleaningWorld::Step(std::uint64_t tick) {
   if (state_->contact && !touching_) ++bumps_;
   touching_ = state_->contact.has_value();
   const bool docked = state_->IsDocked();
-  if (docked && !docked_) ++charges_;
-  docked_ = docked;
+  const bool rests = docked && state_->base.speed() == 0.0;
+  if (rests && !rests_) ++charges_;
+  rests_ = rests;
   state_->battery.Step(tick_seconds_, state_->base.speed(), docked);
   if (!docked) state_->Sweep(seconds_);
   Judge();
@@ -134,7 +135,7 @@ void CleaningWorld::Judge() {
   if (state_->battery.is_empty()) {
     outcome_ = {sdk::Outcome::State::kFailed,
                 fmt::format("the battery is empty at {:.2f}, {:.2f}", pose.x, pose.y)};
-  } else if (docked_ && charges_ > 0 && state_->CleanPart() >= target_) {
+  } else if (rests_ && charges_ > 0 && state_->CleanPart() >= target_) {
     outcome_ = {sdk::Outcome::State::kReached,
                 fmt::format("{:.1f} % of the floor is clean", 100 * state_->CleanPart())};
   }

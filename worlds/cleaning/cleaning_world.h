@@ -56,7 +56,7 @@ class CleaningWorld final : public sdk::World {
   double target_ = 1;
   double seconds_ = 0;
   bool touching_ = false;
-  bool docked_ = true;
+  bool rests_ = true;
   int bumps_ = 0;
   int charges_ = 0;
   sdk::Outcome outcome_;

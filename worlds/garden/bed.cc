@@ -36,7 +36,7 @@ void Bed::MoveWater(double hours, const Air& air) {
   for (const Pumpkin& pumpkin : pumpkins_) leaves += pumpkin.alive() ? pumpkin.weight : 0;
   const double drying = air.light * std::clamp(air.temperature / 20, 0.0, 2.0);
   water_ += air.rain * kArea * hours;
-  water_ -= (0.15 + drying * (1.6 + 0.05 * leaves)) * std::min(1.0, moisture() / 0.3) * hours;
+  water_ -= (0.15 + drying * (1.6 + 0.045 * leaves)) * std::min(1.0, moisture() / 0.3) * hours;
   const double above = moisture() - kDrainsAbove;
   if (above > 0) {
     const double drained = std::min(above, kDrainage * hours) * kSoilHolds;

@@ -127,10 +127,10 @@ std::vector<ParameterSpec> GardenParameters() {
           Count("beds", "6", 1, 40, "along the path"),
           Count("plants", "3", 1, 20, "in each bed"),
           Count("portions", "50", 0, 10000, "of food for the season"),
-          Number("goal_weight", "280", 0, 1e6, "kg",
+          Number("goal_weight", "440", 0, 1e6, "kg",
                  "that all pumpkins together have at the end of the season"),
-          Number("barrel", "300", 0, 1e5, "l", "that the barrel at the well holds"),
-          Number("spring", "8", 0, 1e3, "l/h", "that run into the barrel"),
+          Number("barrel", "400", 0, 1e5, "l", "that the barrel at the well holds"),
+          Number("spring", "10", 0, 1e3, "l/h", "that run into the barrel"),
           Number("tank", "40", 1, 1e3, "l", "that the gardener carries"),
           Number("speed", "0.25", 0.01, 3, "m/s", "of the gardener"),
           Number("probe_noise", "0.02", 0, 0.3, "", "standard deviation of the soil's moisture")};

@@ -30,9 +30,9 @@ struct GardenerOptions {
 
 /// Water that is collected at the well.
 struct Barrel {
-  double holds = 300;  ///< l
-  double water = 300;  ///< l
-  double spring = 8;   ///< l/h
+  double holds = 400;  ///< l
+  double water = 400;  ///< l
+  double spring = 10;  ///< l/h
 };
 
 /// The robot that works in the garden. A task takes time and goes on for as long as it is told; one

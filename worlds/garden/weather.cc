@@ -21,7 +21,7 @@ struct Spell {
 };
 
 constexpr std::array<Spell, 3> kSpells = {
-    {{0.75, 0.2, 8, 0}, {0.7, 0.7, 13, -2}, {0.85, 0.0, 0, 5}}};
+    {{0.75, 0.2, 8, 0}, {0.7, 0.7, 13, -2}, {0.82, 0.0, 0, 5}}};
 constexpr std::size_t kDrought = 2;
 constexpr double kColdHour = 5;
 constexpr double kWarmHour = 15;

@@ -85,7 +85,7 @@ TEST(BatteryTest, Drains_ByWhatItDoes) {
 }
 
 TEST(BatteryTest, Dock_FillsItAndNoMore) {
-  Battery battery({.capacity = 1000});
+  Battery battery({.capacity = 1000, .dock_power = 180});
   battery.Step(10, 0, false);
   EXPECT_NEAR(battery.charge(), 0.7, 1e-12);
   battery.Step(1, 0, true);

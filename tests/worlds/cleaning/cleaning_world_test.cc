@@ -52,7 +52,7 @@ TEST_F(CleaningWorldTest, View_ShowsFloorDirtAndWallsNearby) {
   EXPECT_THAT(view, Not(HasSubstr("tile(10,"))) << "too far away";
   Ticks(1, 0, 0);
   Sensed(kView);
-  EXPECT_FALSE(sensors_[kView].updated) << "every other tick";
+  EXPECT_FALSE(sensors_[kView].updated) << "every fourth tick";
 }
 
 TEST_F(CleaningWorldTest, Overlooked_ShowsDirtAsCleanNowAndThen) {
