@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
+#include <algorithm>
 #include <map>
 #include <utility>
 
+#include "latchwork/sdk/svg.h"
 #include "worlds/office/picture.h"
 
 namespace latchwork::office {
@@ -15,110 +15,102 @@ namespace {
 constexpr double kPixels = 20.0;  // a metre
 constexpr double kGap = 2.0;      // metres between floors
 
-/// The walls as one path of rectangles: runs of cells that repeat in the rows above are merged.
-std::string WallPath(const FloorMap& map) {
-  std::string path;
-  std::map<std::pair<int, int>, int> open;  // run of cells -> its first row
-  for (int y = 0; y <= map.height(); ++y) {
-    std::map<std::pair<int, int>, int> now;
-    for (int x = 0; y < map.height() && x < map.width(); ++x) {
-      if (!map.IsWall(x, y)) continue;
-      const int first = x;
-      while (x < map.width() && map.IsWall(x, y)) ++x;
-      const auto above = open.find({first, x});
-      now[{first, x}] = above == open.end() ? y : above->second;
-    }
-    for (const auto& [run, first] : open) {
-      if (now.contains(run)) continue;
-      fmt::format_to(std::back_inserter(path), "M{} {}H{}V{}H{}Z", run.first, map.height() - first,
-                     run.second, map.height() - y, run.first);
-    }
-    open = std::move(now);
-  }
-  return path;
-}
+double WidthOf(const FloorMap& map) { return map.width() * map.resolution(); }
+double HeightOf(const FloorMap& map) { return map.height() * map.resolution(); }
 
+/// The floors below each other, each in the frame of its map.
 class RouteSvg {
  public:
-  explicit RouteSvg(const PictureScene& scene) : scene_(scene) {}
-
-  std::string Write() {
-    double top = 0.0;
-    double width = 0.0;
-    for (std::size_t i = 0; i < scene_.building->floors.size(); ++i) {
-      const FloorMap& map = scene_.building->floors[i].map;
-      Floor(static_cast<int>(i), top);
-      top += map.height() * map.resolution() + kGap;
-      width = std::max(width, map.width() * map.resolution());
+  RouteSvg(const PictureScene& scene, double width, double height)
+      : scene_(scene), svg_({.x2 = width, .y2 = height}, kPixels) {
+    svg_.Rectangle({0, 0}, {width, height}, {.fill = "white"});
+    for (std::size_t i = 0; i < scene.building->floors.size(); ++i) {
+      const FloorMap& map = scene.building->floors[i].map;
+      height -= kGap / 2 + HeightOf(map);
+      svg_.Group({{.x = -map.origin().x, .y = height - map.origin().y}},
+                 [&] { Floor(static_cast<int>(i)); });
+      height -= kGap / 2;
     }
-    return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" "
-        "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" "
-        "fill=\"white\"/>\n{}</svg>\n",
-        width * kPixels, top * kPixels, body_);
   }
+
+  const sdk::Svg& svg() const { return svg_; }
 
  private:
-  template <typename... Arguments>
-  void Add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(body_), format, std::forward<Arguments>(arguments)...);
-  }
-
-  void Floor(int floor, double top) {
+  void Floor(int floor) {
     const Storey& storey = scene_.building->floors[static_cast<std::size_t>(floor)];
-    const FloorMap& map = storey.map;
-    Add("<g transform=\"translate(0 {:.1f})\">\n", (top + kGap / 2) * kPixels);
-    Add("<text x=\"4\" y=\"-6\">floor {}</text>\n", storey.number);
-    Add("<path transform=\"scale({:.4f})\" fill=\"#343a46\" d=\"{}\"/>\n",
-        map.resolution() * kPixels, WallPath(map));
+    const Point origin = storey.map.origin();
+    svg_.Text({origin.x + 0.2, origin.y + HeightOf(storey.map) + 0.3},
+              fmt::format("floor {}", storey.number), {.size = kLetters});
+    Walls(storey.map);
     for (const Box& box : scene_.record->boxes) {
       if (box.floor != floor) continue;
-      Add("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"#de963e\"/>\n",
-          X(map, box.area.x1), Y(map, box.area.y2), (box.area.x2 - box.area.x1) * kPixels,
-          (box.area.y2 - box.area.y1) * kPixels);
+      svg_.Rectangle({box.area.x1, box.area.y1}, {box.area.x2, box.area.y2}, {.fill = "#de963e"});
     }
-    Route(floor, map);
+    Route(floor);
     for (const Remark& remark : scene_.record->remarks) {
       if (remark.floor != floor) continue;
-      Add("<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"3\"/><text x=\"{0:.1f}\" y=\"{1:.1f}\" "
-          "dx=\"6\" dy=\"14\">{2:.1f} s {3}</text>\n",
-          X(map, remark.place.x), Y(map, remark.place.y),
-          static_cast<double>(remark.tick) * scene_.tick_seconds, remark.text);
+      svg_.Circle({remark.place.x, remark.place.y}, 0.15, {.fill = "black"});
+      const double seconds = static_cast<double>(remark.tick) * scene_.tick_seconds;
+      svg_.Text({remark.place.x + 0.3, remark.place.y - 0.7},
+                fmt::format("{:.1f} s {}", seconds, remark.text), {.size = kLetters});
     }
-    Add("</g>\n");
   }
 
-  static double X(const FloorMap& map, double x) { return (x - map.origin().x) * kPixels; }
-  static double Y(const FloorMap& map, double y) {
-    return (map.origin().y + map.height() * map.resolution() - y) * kPixels;
+  /// Rectangles: runs of cells that repeat in the rows above are merged.
+  void Walls(const FloorMap& map) {
+    std::map<std::pair<int, int>, int> open;  // run of cells -> its first row
+    for (int y = 0; y <= map.height(); ++y) {
+      std::map<std::pair<int, int>, int> now;
+      for (int x = 0; y < map.height() && x < map.width(); ++x) {
+        if (!map.IsWall(x, y)) continue;
+        const int first = x;
+        while (x < map.width() && map.IsWall(x, y)) ++x;
+        const auto above = open.find({first, x});
+        now[{first, x}] = above == open.end() ? y : above->second;
+      }
+      for (const auto& [run, first] : open) {
+        if (now.contains(run)) continue;
+        svg_.Rectangle(CornerOf(map, run.first, first), CornerOf(map, run.second, y),
+                       {.fill = "#343a46"});
+      }
+      open = std::move(now);
+    }
   }
 
-  void Route(int floor, const FloorMap& map) {
+  static sdk::SvgPoint CornerOf(const FloorMap& map, int x, int y) {
+    return {map.origin().x + x * map.resolution(), map.origin().y + y * map.resolution()};
+  }
+
+  void Route(int floor) {
     const auto& route = scene_.record->route;
     const double last = route.empty() ? 1.0 : std::max(1.0, static_cast<double>(route.back().tick));
     for (std::size_t i = 1; i < route.size(); ++i) {
       if (route[i].floor != floor || route[i - 1].floor != floor) continue;
       const Colour c = ColourOfTime(static_cast<double>(route[i].tick) / last);
-      Add("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"#{:02x}{:02x}{:02x}\" "
-          "stroke-width=\"3\" stroke-linecap=\"round\"/>\n",
-          X(map, route[i - 1].place.x), Y(map, route[i - 1].place.y), X(map, route[i].place.x),
-          Y(map, route[i].place.y), c.red, c.green, c.blue);
+      const std::string colour = fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue);
+      svg_.Line({route[i - 1].place.x, route[i - 1].place.y}, {route[i].place.x, route[i].place.y},
+                {.stroke = colour, .width = 0.15});
     }
   }
 
+  static constexpr double kLetters = 0.6;  // m
+
   const PictureScene& scene_;
-  std::string body_;
+  sdk::Svg svg_;
 };
 
 }  // namespace
 
 std::vector<std::filesystem::path> DrawRoute(const PictureScene& scene,
                                              const std::filesystem::path& folder) {
+  double width = 0.0;
+  double height = 0.0;
+  for (const Storey& storey : scene.building->floors) {
+    width = std::max(width, WidthOf(storey.map));
+    height += HeightOf(storey.map) + kGap;
+  }
   const auto file = folder / "route.svg";
-  std::ofstream out(file, std::ios::binary);
-  out << RouteSvg(scene).Write();
-  out.close();
-  if (!out) return {};
+  if (!RouteSvg(scene, width, height).svg().Save(file)) return {};
   return {file};
 }
 
