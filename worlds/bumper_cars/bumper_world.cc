@@ -15,7 +15,7 @@ namespace {
 using logic::Fact;
 using logic::Term;
 
-constexpr double kVisibleFlash = 0.3;  // m/s
+constexpr double kVisible = 0.3;  // m/s; slower bumps are not counted nor drawn
 
 logic::Diagnostics Refuse(std::string why) { return {{{}, std::move(why), {}, {}}}; }
 
@@ -88,8 +88,8 @@ void BumperWorld::Step(std::uint64_t /*tick*/) {
   counts_.distance += Length(arena_.cars[0].place - before);
   if (!arena_.cars[0].has_power()) counts_.without_power += tick_seconds_;
   for (const Bump& bump : bumps) {
+    if (bump.impact.closing < kVisible) continue;
     if (bump.a == 0) ++counts_.bumps;
-    if (bump.impact.closing < kVisibleFlash) continue;
     film_.flashes.push_back({Seconds(), bump.impact.place, bump.impact.closing});
   }
   referee_->Step(bumps, arena_, tick_seconds_);

@@ -19,6 +19,9 @@ constexpr double kLeaveTime = 2.0;    // s
 constexpr double kGateReach = 1.5;    // m
 constexpr double kStanding = 0.1;     // m/s
 
+constexpr double kPush = 0.2;       // m/s, of who pushes
+constexpr double kPushedFor = 0.5;  // s
+
 int Count(const std::vector<char>& flags) {
   return static_cast<int>(std::count(flags.begin(), flags.end(), 1));
 }
@@ -31,6 +34,7 @@ Referee::Referee(const Rules& rules, std::size_t cars)
       rammed_(cars, 0),
       tapped_(cars, 0),
       since_spill_(cars, kSpillEvery),
+      since_pushed_(cars, kPushedFor),
       ride_left_(rules.ride_seconds) {}
 
 int Referee::thrills() const { return static_cast<int>(fast_seconds_ + 1e-6); }
@@ -51,8 +55,11 @@ void Referee::End(State state, std::string message) {
 void Referee::Step(std::span<const Bump> bumps, const Arena& arena, double seconds) {
   remark_.clear();
   for (double& since : since_spill_) since += seconds;
+  for (double& since : since_pushed_) since += seconds;
   for (const Bump& bump : bumps) {
-    if (bump.a == 0) Judge(bump.b, bump.impact, arena);
+    if (bump.a != 0) continue;
+    if (bump.impact.second >= kPush) since_pushed_[bump.b] = 0;
+    Judge(bump.b, bump.impact, arena);
   }
   const int before = thrills();
   if (may_drive() && Length(arena.cars[0].velocity) >= kThrillSpeed) fast_seconds_ += seconds;
@@ -64,13 +71,20 @@ void Referee::Step(std::span<const Bump> bumps, const Arena& arena, double secon
   if (!rules_.day) CheckCollisions();
 }
 
+bool Referee::WasPushed(std::size_t into) const {
+  for (std::size_t car = 0; car < since_pushed_.size(); ++car) {
+    if (car != into && since_pushed_[car] < kPushedFor) return true;
+  }
+  return false;
+}
+
 void Referee::Judge(std::size_t car, const Impact& impact, const Arena& arena) {
   const Car& other = arena.cars[car];
   const double speed = impact.first;
   if (other.attitude == Attitude::kFriend) {
-    if (speed > rules_.tap_speed) {
+    if (speed > rules_.tap_speed && !WasPushed(car)) {
       End(State::kFailed, fmt::format("hit {}, a friend, at {:.2f} m/s", other.driver, speed));
-    } else if (speed >= kLightestTap && tapped_[car] == 0) {
+    } else if (speed >= kLightestTap && speed <= rules_.tap_speed && tapped_[car] == 0) {
       tapped_[car] = 1;
       Note(fmt::format("tapped {}, a friend, at {:.2f} m/s", other.driver, speed));
     }

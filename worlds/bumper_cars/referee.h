@@ -28,7 +28,8 @@ struct Rules {
 };
 
 /// Keeps the score of the agent and says how the run ends. Speeds are those with which the agent
-/// itself drove at the other: being hit is nobody's merit or fault.
+/// itself drove at the other: being hit is nobody's merit or fault, nor is what one is pushed into
+/// within half a second of it.
 class Referee {
  public:
   enum class Park : std::uint8_t { kAtGate, kRiding, kOver, kOutside };
@@ -62,6 +63,7 @@ class Referee {
 
  private:
   void Judge(std::size_t car, const Impact& impact, const Arena& arena);
+  bool WasPushed(std::size_t into) const;
   void Note(std::string remark);
   void End(sdk::Outcome::State state, std::string message);
   void CheckCollisions();
@@ -71,7 +73,8 @@ class Referee {
   Park park_;
   std::vector<char> rammed_;
   std::vector<char> tapped_;
-  std::vector<double> since_spill_;  // s, by car
+  std::vector<double> since_spill_;   // s, by car
+  std::vector<double> since_pushed_;  // s, by the car that did it
   int spills_ = 0;
   double fast_seconds_ = 0;
   double ride_left_;

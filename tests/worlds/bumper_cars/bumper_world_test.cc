@@ -141,6 +141,24 @@ TEST_F(BumperWorldTest, BeingHitByAFriend_IsNobodysFault) {
   EXPECT_LT(arena().cars[0].place.x, 5);
 }
 
+TEST_F(BumperWorldTest, PushedIntoAFriend_IsNobodysFault) {
+  ASSERT_THAT(
+      Load({{"enemies", "0"}, {"friends", "1"}, {"strangers", "1"}, {"rams", "0"}, {"taps", "1"}}),
+      IsEmpty());
+  arena().poles.clear();
+  for (Car& car : arena().cars) {
+    car.heading = 0;
+    car.stalled = true;
+  }
+  arena().cars[0].place = {5, 5};
+  arena().cars[1].place = {6.3, 5};
+  arena().cars[2].place = {3.8, 5};
+  arena().cars[2].velocity = {2, 0};
+  Tick(0, "", 10);
+  EXPECT_GT(arena().cars[1].velocity.x, 0.5);
+  EXPECT_EQ(world_.outcome().state, State::kRunning);
+}
+
 TEST_F(BumperWorldTest, Day_PayRideLeave) {
   LoadTwo("strangers", {{"task", "day"}, {"ride_time", "5"}, {"spills", "1"}, {"thrills", "0"}});
   Tick(100, "", 10);
