@@ -20,7 +20,7 @@ std::vector<nlohmann::json> RunSeeds(const std::string& example, const std::stri
     ADD_FAILURE() << result.out << result.err;
     return {};
   }
-  return runs;
+  return runs.get<std::vector<nlohmann::json>>();
 }
 
 void ExpectAllReached(const std::vector<nlohmann::json>& runs) {
