@@ -2,6 +2,7 @@
 #ifndef LATCHWORK_PTTP_TABLEAU_BINDINGS_H_
 #define LATCHWORK_PTTP_TABLEAU_BINDINGS_H_
 
+#include <algorithm>
 #include <cstdint>
 
 #include "reasoners/pttp/tableau/fingerprint.h"
@@ -10,59 +11,65 @@
 
 namespace latchwork::pttp {
 
-/// The variables of all clause copies of a tableau, by number, and between them the arguments of
-/// its goals. Terms are never copied: a variable is bound to a cell of the matrix and the copy that
-/// the cell belongs to (Boyer and Moore, "The sharing of structure in theorem-proving programs",
-/// 1972).
+/// The terms of a tableau in one stack: the matrix, the variables of each clause copy, the
+/// arguments of goals and what unification made, as in Warren's abstract machine (1983). A variable
+/// is a cell that is 0 as long as it has no value; terms without variables are marked when they are
+/// made.
 class Bindings {
  public:
-  explicit Bindings(const Matrix& matrix) : cells_(matrix.cells()) {}
+  explicit Bindings(const Matrix& matrix);
 
   static constexpr std::uint64_t kMostWork = std::uint64_t{1} << 20U;
+  /// How deep the operations of a head go.
+  static constexpr std::uint32_t kMostNested = 24;
   /// Whether a comparison was ever too long to be finished, and taken for a failure.
   bool gave_up() const { return gave_up_; }
 
-  std::uint32_t size() const { return static_cast<std::uint32_t>(values_.size()); }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(cells_.size()); }
   std::uint32_t trail_size() const { return static_cast<std::uint32_t>(trail_.size()); }
   std::size_t bytes() const {
-    return values_.bytes() + trail_.bytes() + pairs_.bytes() + visits_.bytes();
+    return cells_.bytes() + trail_.bytes() + pairs_.bytes() + visits_.bytes();
   }
+  /// Whether the next clause copies may be more than can be addressed.
+  bool full() const { return cells_.size() > kMostCells; }
 
-  /// One more copy of a clause: its variables, after a cell that says whether a term with any of
-  /// them was ever the value of a variable that a goal or its arguments lead to.
-  std::uint32_t Allocate(std::uint32_t slots) {
-    const std::uint32_t base = size();
-    Instance* fresh = values_.Extend(slots + 1);
-    for (std::uint32_t i = 0; i < GrowStack<Instance>::kSlack; ++i) fresh[i] = {};
-    for (std::uint32_t i = GrowStack<Instance>::kSlack; i <= slots; ++i) fresh[i] = {};
+  /// The variables of one more copy of a clause, and room for what its head makes.
+  std::uint32_t Allocate(const Entry& entry) {
+    const std::uint32_t base = size() - 1;
+    cells_.Reserve(entry.slots + entry.words);
+    Cell* fresh = cells_.Extend(entry.slots);
+    for (std::uint32_t i = 0; i < GrowStack<Cell>::kSlack; ++i) fresh[i] = 0;
+    for (std::uint32_t i = GrowStack<Cell>::kSlack; i < entry.slots; ++i) fresh[i] = 0;
     return base;
   }
+  struct Arguments {
+    Fingerprint print;
+    std::uint32_t first = 0;  ///< Where they are.
+    std::uint32_t hash = 0;   ///< 0: they may have variables.
+  };
   /// Puts the arguments of a goal on top, as they are now.
-  [[gnu::always_inline]] Fingerprint PushArguments(const MatrixLiteral& goal, std::uint32_t base) {
-    Instance* arguments = values_.Extend(goal.arity);
-    const Cell* cells = cells_ + goal.arguments;
-    for (std::uint32_t i = 0; i < goal.given; ++i) arguments[i] = {cells[i], base};
-    Fingerprint print = goal.print;
-    for (const Probe* probe = goal.probes; probe != goal.probes_end; ++probe) {
-      const Instance term = ResolveVariable({probe->variable, base});
-      if (probe->argument != Probe::kNone) arguments[probe->argument] = term;
-      if (IsVariable(term.cell) || probe->place == Fingerprint::kPlaces) continue;
-      const Cell* block = BlockOfCell(cells_, term.cell);
-      print.Set(probe->place, block[0]);
-      if (probe->below == Fingerprint::kPlaces) continue;
-      for (std::uint32_t i = 0; i < block[1] && i < Fingerprint::kBelow; ++i) {
-        const Instance argument = Resolve({block[2 + i], term.base});
-        if (IsVariable(argument.cell)) continue;
-        print.Set(probe->below + i, *BlockOfCell(cells_, argument.cell));
-      }
+  [[gnu::always_inline]] Arguments PushArguments(const MatrixLiteral& goal, std::uint32_t base) {
+    cells_.Reserve(goal.words);
+    if (goal.code.first != goal.code.end) Make(goal.code, base);
+    Arguments made;
+    made.first = size();
+    Cell* arguments = cells_.Extend(goal.arity);
+    const Cell* cells = cells_.data() + goal.arguments;
+    Cell ground = kGroundTag;
+    for (std::uint32_t i = 0; i < goal.arity; ++i) {
+      ground &= MakeArgument(cells[i], base, arguments + i);
     }
-    return print;
+    if (ground != 0) made.hash = HashOf(goal.key, arguments, goal.arity) | 1U;
+    made.print = goal.print;
+    LookUpProbes(goal, base, arguments, made.print);
+    return made;
   }
-  /// Undoes bindings down to `trail`, then forgets copies and goals from `variables` on.
-  void UndoTo(std::uint32_t trail, std::uint32_t variables) {
-    while (trail_.size() > trail) values_[trail_.Pop()] = {};
-    values_.Truncate(variables);
+  /// Undoes bindings down to `trail`, then forgets copies and goals from `size` on.
+  void UndoTo(std::uint32_t trail, std::uint32_t size) {
+    while (trail_.size() > trail) cells_[trail_.Pop()] = 0;
+    cells_.Truncate(size);
   }
+  void Clear() { UndoTo(0, first_); }
   /// Bindings of variables from `mark` on need not be undone one by one.
   void TrailBelow(std::uint32_t mark) { mark_ = mark; }
   /// Whether every binding since `trail` was of a variable from `mark` on.
@@ -73,118 +80,144 @@ class Bindings {
     return true;
   }
 
-  static std::uint32_t VariableOf(Instance term) { return term.base + (term.cell >> 2U); }
-  Instance Resolve(Instance term) const {
-    return IsVariable(term.cell) ? ResolveVariable(term) : term;
+  /// The term at a cell of an argument list.
+  Cell ArgumentAt(std::uint32_t at) const {
+    const Cell cell = cells_[at];
+    if (!IsVariable(cell)) return cell;
+    return cell == 0 ? VariableAt(at) : ResolveVariable(cell);
   }
+  const Cell* Block(Cell cell) const { return BlockOfCell(cells_.data(), cell); }
 
   /// Unifies a head, whose copy is at `base`, with the pushed arguments of a goal. Bindings made
   /// before a failure stay.
-  bool UnifyHead(const HeadArgument* head, std::uint32_t base, std::uint32_t goal,
-                 std::uint32_t count) {
-    work_ = 0;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      if (!UnifyArgument(head[i], base, values_[goal + i])) return false;
-    }
-    return true;
+  bool UnifyHead(const HeadOperation* operation, std::uint32_t base, const MatrixLiteral& goal,
+                 std::uint32_t arguments) {
+    Begin(goal, arguments);
+    return RunHead(operation, base, arguments);
   }
-  /// The same of two goals.
-  bool UnifyGoals(std::uint32_t left, std::uint32_t right, std::uint32_t count) {
-    work_ = 0;
-    safe_ = false;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      if (!UnifyTerms(values_[left + i], values_[right + i])) return false;
+  /// The same of two goals, the second one newer.
+  bool UnifyGoals(std::uint32_t left, const MatrixLiteral& goal, std::uint32_t right) {
+    Begin(goal, right);
+    for (std::uint32_t i = 0; i < goal.arity; ++i) {
+      if (!Unify(ArgumentAt(left + i), ArgumentAt(right + i))) return false;
     }
     return true;
   }
   bool Identical(std::uint32_t left, std::uint32_t right, std::uint32_t count) {
     work_ = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
-      if (!SameTerms(values_[left + i], values_[right + i])) return false;
+      if (!Same(left + i, right + i)) return false;
     }
     return true;
   }
 
  private:
   struct Pair {
-    Instance left;
-    Instance right;
+    Cell left;
+    Cell right;
   };
+  static constexpr std::size_t kMostCells = std::size_t{1} << 29U;
 
-  Instance ResolveVariable(Instance term) const {
+  /// Of the terms at two cells of argument lists.
+  bool Same(std::uint32_t left, std::uint32_t right) {
+    if (cells_[left] == cells_[right] && cells_[left] != 0) return true;
+    const Cell a = ArgumentAt(left);
+    const Cell b = ArgumentAt(right);
+    if (a == b) return true;
+    return !IsVariable(a) && !IsVariable(b) && !Differ(a, b) && SameBelow(a, b);
+  }
+
+  static Cell VariableAt(std::uint32_t at) { return at << 2U; }
+  static std::uint32_t PlaceOf(Cell variable) { return variable >> 2U; }
+  Cell ResolveVariable(Cell variable) const {
     for (;;) {
-      const Instance next = values_[VariableOf(term)];
-      if (next.cell == 0) return term;
-      term = next;
-      if (!IsVariable(term.cell)) return term;
+      const Cell value = cells_[PlaceOf(variable)];
+      if (value == 0) return variable;
+      if (!IsVariable(value)) return value;
+      variable = value;
     }
   }
-  /// Notes that a variable leads to the value.
-  void Reach(Instance value) { values_[value.base].cell |= ~value.cell & kGroundTag; }
-  void Bind(Instance variable, Instance value) {
-    const std::uint32_t number = VariableOf(variable);
-    values_[number] = value;
-    Reach(value);
-    if (number < mark_) trail_.Push(number);
-  }
-  bool UnifyArgument(HeadArgument head, std::uint32_t base, Instance goal) {
-    if (head.step <= HeadStep::kFirst) {
-      values_[base + (head.cell >> 2U)] = goal;
-      if (head.step == HeadStep::kFirst) Reach(goal);
-      return true;
+
+  /// Writes a term; `cell` is of the matrix, kOpenTag stands for what was written there before.
+  Cell MakeArgument(Cell cell, std::uint32_t base, Cell* out) {
+    switch (TagOfCell(cell)) {
+      case kGroundTag:
+        return *out = cell;
+      case kVariableTag:
+        return MakeVariable(base + (cell >> 2U), out);
+      default:
+        return *out;
     }
-    const Instance term{head.cell, base};
-    if (head.step == HeadStep::kAny) {
-      safe_ = false;
-      return UnifyTerms(term, goal);
-    }
-    goal = Resolve(goal);
-    if (IsVariable(goal.cell)) {
-      Bind(goal, term);
-      return true;
-    }
-    safe_ = true;
-    return goal.cell == head.cell && IsGround(goal.cell) ? true : UnifyBlocks(term, goal);
   }
-  /// Whether a variable may occur in a term: not if no term but this has variables of its copy.
-  bool MayOccur(Instance variable, Instance value) const {
-    return !safe_ && !IsGround(value.cell) &&
-           (value.base == variable.base || values_[variable.base].cell != 0);
+  Cell MakeVariable(std::uint32_t slot, Cell* out) {
+    const Cell value = cells_[slot];
+    if (!IsVariable(value)) return *out = value;
+    if (value != 0) return *out = ResolveVariable(value);
+    const auto place = static_cast<std::uint32_t>(out - cells_.data());
+    cells_[slot] = VariableAt(place);
+    if (slot < mark_) trail_.Push(slot);
+    return *out = 0;
   }
-  bool BindChecked(Instance variable, Instance value) {
-    if (MayOccur(variable, value) && Occurs(VariableOf(variable), value)) return false;
+  std::uint32_t HashOf(std::uint32_t hash, const Cell* arguments, std::uint32_t count) const {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      hash = AddToHash(hash, HashOfGround(cells_.data(), arguments[i]));
+    }
+    return hash;
+  }
+  /// Writes a term that there is room for.
+  Cell Make(TermCode code, std::uint32_t base);
+  void LookUpProbes(const MatrixLiteral& goal, std::uint32_t base, const Cell* arguments,
+                    Fingerprint& print) const {
+    for (const Probe* probe = goal.probes; probe != goal.probes_end; ++probe) {
+      const Cell term = probe->argument != Probe::kNone
+                            ? arguments[probe->argument]
+                            : ArgumentAt(base + (probe->variable >> 2U));
+      if (IsVariable(term) || probe->place == Fingerprint::kPlaces) continue;
+      const Cell* block = Block(term);
+      print.Set(probe->place, block[0]);
+      if (probe->below == Fingerprint::kPlaces) continue;
+      const auto below = static_cast<std::uint32_t>(block - cells_.data()) + 2;
+      for (std::uint32_t i = 0; i < std::min(block[1], Fingerprint::kBelow); ++i) {
+        const Cell argument = ArgumentAt(below + i);
+        if (!IsVariable(argument)) print.Set(probe->below + i, *Block(argument));
+      }
+    }
+  }
+
+  bool RunHead(const HeadOperation* operation, std::uint32_t base, std::uint32_t at);
+  /// Before a goal is unified. Cells from `goal_` on are its own.
+  void Begin(const MatrixLiteral& goal, std::uint32_t arguments) {
+    work_ = 0;
+    goal_ = arguments + goal.arity - goal.words;
+    outside_bound_ = false;
+  }
+  void Bind(Cell variable, Cell value) {
+    const std::uint32_t place = PlaceOf(variable);
+    cells_[place] = value;
+    outside_bound_ = outside_bound_ || place < goal_;
+    if (place < mark_) trail_.Push(place);
+  }
+  bool BindChecked(Cell variable, Cell value) {
+    if (!IsGround(value) && Occurs(variable, value)) return false;
     Bind(variable, value);
     return true;
   }
-  bool UnifyTerms(Instance a, Instance b) {
-    a = Resolve(a);
-    b = Resolve(b);
-    if (SamePlace(a, b)) return true;
-    if (IsVariable(a.cell)) {
-      if (!IsVariable(b.cell)) return BindChecked(a, b);
-      const bool a_is_younger = VariableOf(a) > VariableOf(b);
-      Bind(a_is_younger ? a : b, a_is_younger ? b : a);
+  bool Unify(Cell a, Cell b) {
+    if (a == b) return true;
+    if (IsVariable(a)) {
+      if (!IsVariable(b)) return BindChecked(a, b);
+      Bind(std::max(a, b), std::min(a, b));
       return true;
     }
-    if (IsVariable(b.cell)) return BindChecked(b, a);
-    return UnifyBlocks(a, b);
+    if (IsVariable(b)) return BindChecked(b, a);
+    return !Differ(a, b) && UnifyBelow(a, b);
   }
-  bool SameTerms(Instance a, Instance b) {
-    if (SamePlace(a, b)) return true;
-    a = Resolve(a);
-    b = Resolve(b);
-    if (SamePlace(a, b)) return true;
-    return !IsVariable(a.cell) && !IsVariable(b.cell) && !DifferAtOnce(a, b) && SameBelow(a, b);
+  /// Whether two terms in different places that are no variables differ as far as can be seen.
+  bool Differ(Cell a, Cell b) const {
+    const Cell* x = Block(a);
+    const Cell* y = Block(b);
+    return *x != *y || (IsGround(a & b) && x[-1] != y[-1]);
   }
-  static bool SamePlace(Instance a, Instance b) {
-    return a.cell == b.cell && (a.base == b.base || IsGround(a.cell));
-  }
-  /// Of two terms in different places that are no variables.
-  bool DifferAtOnce(Instance a, Instance b) const {
-    return IsGround(a.cell & b.cell) ||
-           *BlockOfCell(cells_, a.cell) != *BlockOfCell(cells_, b.cell);
-  }
-  bool UnifyBlocks(Instance a, Instance b) { return !DifferAtOnce(a, b) && UnifyBelow(a, b); }
   /// Whether one comparison may go on. Terms that share their parts can be exponentially larger
   /// than what they are written with.
   bool Spend(std::uint32_t steps) {
@@ -193,20 +226,29 @@ class Bindings {
     return work_ <= kMostWork;
   }
   template <typename Agree>
-  bool AgreeBelow(Instance a, Instance b, const Agree& agree);
-  bool UnifyBelow(Instance a, Instance b);
-  bool SameBelow(Instance a, Instance b);
-  bool Occurs(std::uint32_t variable, Instance term);
+  bool AgreeBelow(Cell a, Cell b, const Agree& agree);
+  bool UnifyBelow(Cell a, Cell b);
+  bool SameBelow(Cell a, Cell b);
+  bool Occurs(Cell variable, Cell term);
+  bool MeetOpen(const HeadOperation& operation, std::uint32_t base, Cell variable);
+  bool UnifyGround(Cell ground, Cell term) {
+    if (ground == term) return true;
+    if (!IsVariable(term)) return TagOfCell(term) != kGroundTag && Unify(ground, term);
+    Bind(term, ground);
+    return true;
+  }
 
-  const Cell* cells_;
-  GrowStack<Instance> values_;
+  const Cell* codes_;
+  std::uint32_t first_ = 0;  ///< Where the matrix ends.
+  GrowStack<Cell> cells_;
   GrowStack<std::uint32_t> trail_;
   std::uint32_t mark_ = 0;
-  bool safe_ = false;
+  std::uint32_t goal_ = 0;
+  bool outside_bound_ = false;
   bool gave_up_ = false;
   std::uint64_t work_ = 0;
   GrowStack<Pair> pairs_;
-  GrowStack<Instance> visits_;
+  GrowStack<Cell> visits_;
 };
 
 }  // namespace latchwork::pttp

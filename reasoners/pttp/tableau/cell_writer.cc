@@ -44,6 +44,13 @@ Cell CellWriter::WriteBlock(std::vector<Cell> block) {
   if (ground) {
     if (const auto known = ground_.find(block); known != ground_.end()) return known->second;
   }
+  std::uint32_t hash = block.front();
+  if (ground) {
+    for (auto argument = block.begin() + 1; argument != block.end(); ++argument) {
+      hash = AddToHash(hash, HashOfGround(cells_.data(), *argument));
+    }
+  }
+  cells_.push_back(hash);
   const auto offset = static_cast<std::uint32_t>(cells_.size());
   cells_.push_back(block.front());
   cells_.push_back(static_cast<Cell>(block.size() - 1));

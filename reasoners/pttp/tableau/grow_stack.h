@@ -36,6 +36,12 @@ class GrowStack {
   void Truncate(std::size_t size) { size_ = size; }
   /// The next one, to be written before it is pushed by Extend(1).
   Value& Next() { return data_[size_]; }
+  /// So that as many may be added without moving any.
+  void Reserve(std::size_t count) {
+    if (size_ + count > capacity_) Grow(count);
+  }
+  const Value* data() const { return data_; }
+  Value* data() { return data_; }
   /// Room for `count` more, their values left as they are.
   Value* Extend(std::size_t count) {
     if (size_ + count > capacity_) Grow(count);

@@ -15,6 +15,7 @@ Matrix::Matrix(std::span<const Clause> clauses, const Strategy& strategy) : orde
   cells_.push_back(0);
   AddLiterals(clauses);
   Reserve();
+  AddCode();
   AddProbes();
   AddEntries();
   ChooseStarts(clauses, strategy);
@@ -41,7 +42,6 @@ void Matrix::AddLiterals(std::span<const Clause> clauses) {
         arguments.push_back(writer.Write(argument));
       }
       range.ground = range.ground && std::all_of(arguments.begin(), arguments.end(), IsGround);
-      if (!std::all_of(arguments.begin(), arguments.end(), IsVariable)) made.given = made.arity;
       made.arguments = static_cast<std::uint32_t>(cells_.size());
       cells_.insert(cells_.end(), arguments.begin(), arguments.end());
       literals_.push_back(made);
@@ -56,8 +56,20 @@ void Matrix::Reserve() {
   std::size_t arguments = 0;
   for (const MatrixLiteral& literal : literals_) arguments += literal.arity;
   probes_.reserve(Fingerprint::kBelow * arguments);
-  heads_.reserve(arguments);
   entries_.reserve(literals_.size() + clauses_.size());
+}
+
+void Matrix::AddCode() {
+  LiteralCoder coder(cells_, codes_, operations_);
+  for (const ClauseRange& clause : clauses_) {
+    for (std::uint32_t i = clause.first; i < clause.first + clause.count; ++i) {
+      MatrixLiteral& literal = literals_[i];
+      literal.code = coder.Code(literal.arguments, literal.arity, literal.words);
+      literal.words += literal.arity;
+      heads_.push_back(static_cast<std::uint32_t>(operations_.size()));
+      coder.AddHead(literal.arguments, literal.arity, clause.slots);
+    }
+  }
 }
 
 const Entry* Matrix::AddEntry(const ClauseRange& clause, const MatrixLiteral* head) {
@@ -66,7 +78,10 @@ const Entry* Matrix::AddEntry(const ClauseRange& clause, const MatrixLiteral* he
   entry.clause = static_cast<std::uint32_t>(&clause - clauses_.data());
   entry.unit = clause.count == (head == nullptr ? 0U : 1U);
   entry.free = entry.unit || clause.ground;
-  if (head != nullptr) entry.head = AddHead(*head, entry);
+  if (head != nullptr) {
+    entry.head = operations_.data() + heads_[static_cast<std::size_t>(head - literals_.data())];
+    entry.words = head->words;
+  }
   return &entries_.emplace_back(entry);
 }
 
@@ -120,41 +135,6 @@ void Matrix::AddEntries() {
       return clauses_[a.entry->clause].count < clauses_[b.entry->clause].count;
     });
   }
-}
-
-/// Whether no variable of an argument occurs in `seen` or twice in itself; they are added to it.
-bool Matrix::TakesNewOnly(Cell argument, std::vector<bool>& seen) const {
-  bool all_new = true;
-  std::vector<Cell> visits{argument};
-  while (!visits.empty()) {
-    const Cell cell = visits.back();
-    visits.pop_back();
-    if (IsVariable(cell)) {
-      all_new = all_new && !seen[SlotOfCell(cell)];
-      seen[SlotOfCell(cell)] = true;
-    } else if (!IsGround(cell)) {
-      const Cell* block = BlockOfCell(cells(), cell);
-      visits.insert(visits.end(), block + 2, block + 2 + block[1]);
-    }
-  }
-  return all_new;
-}
-
-const HeadArgument* Matrix::AddHead(const MatrixLiteral& head, const Entry& entry) {
-  const HeadArgument* first = heads_.data() + heads_.size();
-  const Cell* arguments = cells() + head.arguments;
-  const bool flat = std::all_of(arguments, arguments + head.arity,
-                                [](Cell cell) { return IsVariable(cell) || IsGround(cell); });
-  const HeadStep first_step = entry.unit && flat ? HeadStep::kAside : HeadStep::kFirst;
-  std::vector<bool> seen(entry.slots, false);
-  for (std::uint32_t i = 0; i < head.arity; ++i) {
-    const Cell cell = arguments[i];
-    HeadStep step = HeadStep::kAny;
-    if (TakesNewOnly(cell, seen)) step = IsVariable(cell) ? first_step : HeadStep::kNew;
-    if (IsGround(cell)) step = HeadStep::kGround;
-    heads_.push_back({cell, step});
-  }
-  return first;
 }
 
 Fingerprint Matrix::FingerprintOf(const MatrixLiteral& literal) const {
@@ -298,8 +278,8 @@ std::size_t Matrix::bytes() const {
   for (const auto& found : connections_) connections += found.capacity() * sizeof(Connection);
   return connections + cells_.capacity() * sizeof(Cell) +
          literals_.capacity() * sizeof(MatrixLiteral) + entries_.capacity() * sizeof(Entry) +
-         heads_.capacity() * sizeof(HeadArgument) + probes_.capacity() * sizeof(Probe) +
-         body_bytes_;
+         codes_.capacity() * sizeof(Cell) + operations_.capacity() * sizeof(HeadOperation) +
+         probes_.capacity() * sizeof(Probe) + body_bytes_;
 }
 
 }  // namespace latchwork::pttp

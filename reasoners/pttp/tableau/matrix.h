@@ -13,6 +13,7 @@
 #include "latchwork/logic/clause.h"
 #include "reasoners/pttp/strategies/strategy.h"
 #include "reasoners/pttp/tableau/fingerprint.h"
+#include "reasoners/pttp/tableau/literal_coder.h"
 #include "reasoners/pttp/tableau/matrix_terms.h"
 
 namespace latchwork::pttp {
@@ -41,7 +42,8 @@ struct MatrixLiteral {
   std::uint32_t key = 0;        ///< Predicate with sign: 2 * predicate + positive.
   std::uint32_t arguments = 0;  ///< Offset of its argument cells.
   std::uint32_t arity = 0;
-  std::uint32_t given = 0;  ///< The arity if any argument is no variable, or else 0.
+  std::uint32_t words = 0;  ///< How many cells its arguments take, with all that is in them.
+  TermCode code;            ///< Of its compound arguments.
   const Probe* probes = nullptr;
   const Probe* probes_end = nullptr;
   Fingerprint print;                  ///< Without its probes.
@@ -50,26 +52,13 @@ struct MatrixLiteral {
   const Connection* end = nullptr;
 };
 
-/// What unification does at an argument of a head, whose clause copy is new.
-enum class HeadStep : std::uint8_t {
-  kAside,   ///< The same as kFirst where no other term will ever lead to the variable.
-  kFirst,   ///< A variable that occurs here for the first time: it gets the goal's argument.
-  kGround,  ///< A term without variables.
-  kNew,     ///< A compound term whose variables are all new and different: no occurs check.
-  kAny,
-};
-
-struct HeadArgument {
-  Cell cell = 0;
-  HeadStep step = HeadStep::kAny;
-};
-
 /// A way into a clause: through its literal `head`, which closes the goal's branch. The literals
 /// of `body`, which null ends, are then open.
 struct Entry {
-  const HeadArgument* head = nullptr;
+  const HeadOperation* head = nullptr;
   const MatrixLiteral* const* body = nullptr;  ///< Null until something is connected to it.
   std::uint32_t slots = 0;
+  std::uint32_t words = 0;  ///< How many cells its head may need.
   std::uint32_t clause = 0;
   bool unit = false;
   bool free = false;  ///< Not charged for: a unit or ground.
@@ -87,6 +76,8 @@ class Matrix {
   Matrix& operator=(Matrix&&) = default;
 
   const Cell* cells() const { return cells_.data(); }
+  std::span<const Cell> all_cells() const { return cells_; }
+  const Cell* codes() const { return codes_.data(); }
   /// Sees to the connections of a literal.
   void Connect(const MatrixLiteral& literal) {
     if (literal.first == nullptr) FindConnections(literal);
@@ -122,12 +113,11 @@ class Matrix {
 
   void AddLiterals(std::span<const logic::Clause> clauses);
   void Reserve();
+  void AddCode();
   void AddEntries();
   const Entry* AddEntry(const ClauseRange& clause, const MatrixLiteral* head);
   void AddBody(const Entry& of, const MatrixLiteral* head);
   const MatrixLiteral** RoomForBody(std::size_t size);
-  const HeadArgument* AddHead(const MatrixLiteral& head, const Entry& entry);
-  bool TakesNewOnly(Cell argument, std::vector<bool>& seen) const;
   void ChooseStarts(std::span<const logic::Clause> clauses, const Strategy& strategy);
   MatrixLiteral& Representative(MatrixLiteral& literal);
   void FindConnections(const MatrixLiteral& goal);
@@ -143,7 +133,9 @@ class Matrix {
   std::vector<ClauseRange> clauses_;
   std::vector<Probe> probes_;
   std::vector<Entry> entries_;
-  std::vector<HeadArgument> heads_;
+  std::vector<Cell> codes_;
+  std::vector<HeadOperation> operations_;
+  std::vector<std::uint32_t> heads_;  ///< Of each literal, its first operation.
   std::vector<std::unique_ptr<const MatrixLiteral*[]>> bodies_;
   const MatrixLiteral** body_end_ = nullptr;
   std::size_t body_room_ = 0;

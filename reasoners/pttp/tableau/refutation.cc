@@ -6,27 +6,36 @@
 
 namespace latchwork::pttp {
 
-logic::Term Tableau::Export(Instance term, std::vector<std::uint32_t>& variables) const {
+/// A term of the matrix, as an instance of the copy at `base`.
+logic::Term Tableau::Export(Cell cell, std::uint32_t base, std::vector<Cell>& variables) const {
   struct Pending {
-    Instance term;
+    Cell cell;
+    bool of_matrix;
     std::vector<logic::Term> arguments;
   };
   std::vector<Pending> stack;
-  const auto leaf = [&](std::uint32_t variable) {
+  const auto push = [&](Cell term, bool of_matrix) {
+    const bool slot = of_matrix && IsVariable(term);
+    stack.push_back(
+        {slot ? bindings_.ArgumentAt(base + (term >> 2U)) : term, of_matrix && !slot, {}});
+  };
+  const auto leaf = [&](Cell variable) {
     auto place = std::find(variables.begin(), variables.end(), variable);
     if (place == variables.end()) place = variables.insert(place, variable);
     return logic::Term::Var(static_cast<logic::Variable>(place - variables.begin()));
   };
-  stack.push_back({bindings_.Resolve(term), {}});
+  push(cell, true);
   for (;;) {
     Pending& top = stack.back();
     logic::Term made;
-    if (IsVariable(top.term.cell)) {
-      made = leaf(Bindings::VariableOf(top.term));
+    if (IsVariable(top.cell)) {
+      made = leaf(top.cell);
     } else {
-      const Cell* block = BlockOfCell(matrix_.cells(), top.term.cell);
-      if (top.arguments.size() < block[1]) {
-        stack.push_back({bindings_.Resolve({block[2 + top.arguments.size()], top.term.base}), {}});
+      const Cell* block = bindings_.Block(top.cell);
+      const auto next = static_cast<std::uint32_t>(top.arguments.size());
+      if (next < block[1]) {
+        push(top.of_matrix ? block[2 + next] : bindings_.ArgumentAt((top.cell >> 2U) + 2 + next),
+             top.of_matrix);
         continue;
       }
       made = matrix_.functor(block[0]);
@@ -38,26 +47,26 @@ logic::Term Tableau::Export(Instance term, std::vector<std::uint32_t>& variables
   }
 }
 
-ClauseInstance Tableau::InstanceOf(const Step& step, std::vector<std::uint32_t>& variables) const {
+ClauseInstance Tableau::InstanceOf(const Step& step, std::vector<Cell>& variables) const {
   const Entry& entry = *step.entry;
   ClauseInstance instance{entry.clause, {}, {}};
   for (const MatrixLiteral& literal : matrix_.ClauseLiterals(entry.clause)) {
     std::vector<logic::Term> arguments;
     for (std::uint32_t i = 0; i < literal.arity; ++i) {
-      arguments.push_back(Export({matrix_.cells()[literal.arguments + i], step.base}, variables));
+      arguments.push_back(Export(matrix_.cells()[literal.arguments + i], step.base, variables));
     }
     instance.literals.push_back(
         {(literal.key & 1U) != 0, logic::Atom(matrix_.predicate(literal.key), arguments)});
   }
   for (std::uint32_t slot = 0; slot < entry.slots; ++slot) {
-    instance.values.push_back(Export({CellOfSlot(slot), step.base}, variables));
+    instance.values.push_back(Export(CellOfSlot(slot), step.base, variables));
   }
   return instance;
 }
 
 std::vector<ClauseInstance> Tableau::Refutation() const {
   std::vector<ClauseInstance> result;
-  std::vector<std::uint32_t> variables;
+  std::vector<Cell> variables;
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     result.push_back(InstanceOf(steps_[i], variables));
   }

@@ -34,18 +34,18 @@ TableauEnd Tableau::Search() {
 }
 
 void Tableau::Begin(const Entry& start) {
-  bindings_.UndoTo(0, 0);
+  bindings_.Clear();
   bindings_.TrailBelow(0);
   frames_.Truncate(0);
   choices_.Truncate(0);
   lemmata_.Truncate(0);
   steps_.Truncate(0);
-  const std::uint32_t base = bindings_.Allocate(start.slots);
+  const std::uint32_t base = bindings_.Allocate(start);
   steps_.Push({&start, base});
   Frame root{};
   root.goal.key = kNone;
   root.next.frame = kNone;
-  root.same = kNone;
+  root.kin = {kNone, kNone};
   root.base = base;
   root.left = depth_;
   frames_.Push(root);
@@ -56,6 +56,7 @@ TableauEnd Tableau::Run(const Entry& start) {
   Begin(start);
   while (Advance()) {
     if (inferences_ >= strategy_.inferences) return TableauEnd::kStopped;
+    if (bindings_.full()) return TableauEnd::kMemory;
     if (++steps_taken_ >= next_poll_) {
       next_poll_ = steps_taken_ + kPollPeriod;
       if (stop_()) return TableauEnd::kStopped;
@@ -110,19 +111,27 @@ void Tableau::Leave() {
 }
 
 inline bool Tableau::Same(const Goal& earlier, const Goal& goal) {
-  return earlier.key == goal.key && earlier.print.MayEqual(goal.print) &&
+  return earlier.print.MayEqual(goal.print) &&
+         (earlier.hash == goal.hash || earlier.hash == 0 || goal.hash == 0) &&
          bindings_.Identical(earlier.arguments, goal.arguments, goal.literal->arity);
 }
 
-/// Whether the goal stands on its branch already. `same` becomes the nearest ancestor with its
-/// predicate.
-inline bool Tableau::IsIrregular(const Goal& goal, std::uint32_t& same) {
-  same = kNone;
-  if ((frames_[place_.frame].marks & MarkOf(goal.key / 2)) == 0) return false;
-  same = place_.frame;
-  while (same != kNone && (frames_[same].goal.key ^ goal.key) > 1) same = frames_[same].next.frame;
-  for (std::uint32_t i = same; i != kNone; i = frames_[i].same) {
-    if (Same(frames_[i].goal, goal)) return true;
+inline Tableau::Kin Tableau::KinOf(const Goal& goal) const {
+  std::uint32_t nearest = place_.frame;
+  if ((frames_[nearest].marks & MarkOf(goal.key / 2)) == 0) return {kNone, kNone};
+  while (nearest != kNone && (frames_[nearest].goal.key ^ goal.key) > 1) {
+    nearest = frames_[nearest].next.frame;
+  }
+  if (nearest == kNone) return {kNone, kNone};
+  const Frame& frame = frames_[nearest];
+  if (frame.goal.key == goal.key) return {nearest, frame.kin.opposite};
+  return {frame.kin.opposite, nearest};
+}
+
+/// Whether the goal stands on its branch already, `same` being the nearest that may be it.
+inline bool Tableau::IsIrregular(const Goal& goal, std::uint32_t same) {
+  for (; same != kNone; same = frames_[same].kin.same) {
+    if (Same(frames_[same].goal, goal)) return true;
   }
   return false;
 }
@@ -131,7 +140,8 @@ inline bool Tableau::IsLemma(const Goal& goal) {
   if (place_.lemma == kNone) return false;
   std::uint32_t i = lemmata_[place_.lemma].newest[KindOf(goal)];
   for (; i != kNone; i = lemmata_[i].next) {
-    if (Same(lemmata_[i].goal, goal)) return true;
+    const Goal& lemma = lemmata_[i].goal;
+    if (lemma.key == goal.key && Same(lemma, goal)) return true;
   }
   return false;
 }
@@ -155,17 +165,20 @@ bool Tableau::Call() {
   Goal& goal = choice.goal;
   goal.literal = &literal;
   goal.key = literal.key;
-  goal.arguments = bindings_.size();
-  goal.print = bindings_.PushArguments(literal, frames_[place_.frame].base);
-  if (IsIrregular(goal, choice.same)) return false;
+  const auto made = bindings_.PushArguments(literal, frames_[place_.frame].base);
+  goal.print = made.print;
+  goal.arguments = made.first;
+  goal.hash = made.hash;
+  choice.kin = KinOf(goal);
+  if (IsIrregular(goal, choice.kin.same)) return false;
   if (strategy_.lemmata && IsLemma(goal)) {
     ++place_.literal;
     return true;
   }
   const Connection* end = EndOfConnections(literal);
   choice.connection = NextFitting(goal, literal.first, end);
-  if (choice.connection == nullptr && choice.same == kNone) return false;
-  choice.ancestor = choice.same;
+  if (choice.connection == nullptr && choice.kin.opposite == kNone) return false;
+  choice.ancestor = choice.kin.opposite;
   choice.place = place_;
   choice.variables = bindings_.size();
   choice.trail = bindings_.trail_size();
@@ -173,7 +186,7 @@ bool Tableau::Call() {
   choice.steps = static_cast<std::uint32_t>(steps_.size());
   choice.lemmata = static_cast<std::uint32_t>(lemmata_.size());
   bindings_.TrailBelow(choice.variables);
-  if (choice.same == kNone) return CallConnections(choice, end);
+  if (choice.ancestor == kNone) return CallConnections(choice, end);
   choices_.Extend(1);
   return TryReductions() || TryConnections();
 }
@@ -206,10 +219,10 @@ bool Tableau::TryReductions() {
   const Goal& goal = choice.goal;
   while (choice.ancestor != kNone) {
     const Frame& frame = frames_[choice.ancestor];
-    choice.ancestor = frame.same;
+    choice.ancestor = frame.kin.same;
     const Goal& ancestor = frame.goal;
-    if (ancestor.key == goal.key || ancestor.print.Clashes(goal.print)) continue;
-    if (bindings_.UnifyGoals(ancestor.arguments, goal.arguments, goal.literal->arity)) {
+    if (ancestor.print.Clashes(goal.print)) continue;
+    if (bindings_.UnifyGoals(ancestor.arguments, *goal.literal, goal.arguments)) {
       ++inferences_;
       SolvedAtOnce(choice, static_cast<std::uint32_t>(choices_.size() - 1));
       return true;
@@ -246,8 +259,8 @@ inline bool Tableau::TryConnections() {
 
 bool Tableau::TryEntry(const Choice& choice, const Entry& entry, std::uint32_t height) {
   const Goal& goal = choice.goal;
-  const std::uint32_t base = bindings_.Allocate(entry.slots);
-  const bool unified = bindings_.UnifyHead(entry.head, base, goal.arguments, goal.literal->arity);
+  const std::uint32_t base = bindings_.Allocate(entry);
+  const bool unified = bindings_.UnifyHead(entry.head, base, *goal.literal, goal.arguments);
   const bool too_deep = !entry.free && frames_[place_.frame].left == 0;
   if (!unified || too_deep) {
     cut_off_ = cut_off_ || unified;
@@ -274,7 +287,7 @@ inline void Tableau::Open(const Choice& choice, const Entry& entry, std::uint32_
   frame.marks = parent.marks | MarkOf(choice.goal.key / 2);
   frame.base = base;
   frame.left = parent.left == 0 ? 0 : parent.left - 1;
-  frame.same = choice.same;
+  frame.kin = choice.kin;
   frame.height = height;
   frame.kept = static_cast<std::uint32_t>(choices_.size());
   frame.trail = choice.trail;

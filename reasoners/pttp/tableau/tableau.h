@@ -62,6 +62,12 @@ class Tableau {
     Fingerprint print;
     std::uint32_t key = 0;
     std::uint32_t arguments = 0;  ///< Where they are in the bindings.
+    std::uint32_t hash = 0;       ///< 0: they may have variables.
+  };
+  /// The nearest ancestors of a goal with its predicate.
+  struct Kin {
+    std::uint32_t same = 0;      ///< And its sign.
+    std::uint32_t opposite = 0;  ///< And the other one.
   };
   /// A goal that was extended, and the clause copy whose other literals are then to be solved. The
   /// goals of the frames that `next` leads to are its ancestors.
@@ -70,8 +76,8 @@ class Tableau {
     Place next;
     std::uint64_t marks = 0;  ///< Of the predicates of the goal and its ancestors.
     std::uint32_t base = 0;
-    std::uint32_t left = 0;    ///< How many steps may still follow each other below it.
-    std::uint32_t same = 0;    ///< The nearest ancestor with the predicate of the goal.
+    std::uint32_t left = 0;  ///< How many steps may still follow each other below it.
+    Kin kin;
     std::uint32_t height = 0;  ///< Choices that were there before the goal was called.
     std::uint32_t kept = 0;    ///< Choices that an exclusive cut keeps.
     std::uint32_t trail = 0;   ///< As it was when the goal was called.
@@ -82,8 +88,8 @@ class Tableau {
     Goal goal;
     Place place;
     const Connection* connection = nullptr;  ///< The next to try; null: none.
-    std::uint32_t same = 0;                  ///< The nearest ancestor with the goal's predicate.
-    std::uint32_t ancestor = 0;  ///< The next to try, of those with the goal's predicate.
+    Kin kin;
+    std::uint32_t ancestor = 0;  ///< The next to try, of those with the complement's predicate.
     std::uint32_t variables = 0;
     std::uint32_t trail = 0;
     std::uint32_t frames = 0;
@@ -116,7 +122,8 @@ class Tableau {
   void SolvedAtOnce(const Choice& choice, std::uint32_t height);
   void Leave();
   bool Same(const Goal& earlier, const Goal& goal);
-  bool IsIrregular(const Goal& goal, std::uint32_t& same);
+  Kin KinOf(const Goal& goal) const;
+  bool IsIrregular(const Goal& goal, std::uint32_t same);
   bool IsLemma(const Goal& goal);
   /// The first connection from `from` on that the goal's functors allow; null: none.
   static const Connection* NextFitting(const Goal& goal, const Connection* from,
@@ -124,8 +131,8 @@ class Tableau {
   const Connection* EndOfConnections(const MatrixLiteral& literal) const;
   void Rewind(const Choice& choice);
   std::size_t bytes() const;
-  ClauseInstance InstanceOf(const Step& step, std::vector<std::uint32_t>& variables) const;
-  logic::Term Export(Instance term, std::vector<std::uint32_t>& variables) const;
+  ClauseInstance InstanceOf(const Step& step, std::vector<Cell>& variables) const;
+  logic::Term Export(Cell cell, std::uint32_t base, std::vector<Cell>& variables) const;
 
   Matrix& matrix_;
   Strategy strategy_;
