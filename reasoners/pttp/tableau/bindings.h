@@ -3,6 +3,7 @@
 #define LATCHWORK_PTTP_TABLEAU_BINDINGS_H_
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "reasoners/pttp/tableau/fingerprint.h"
@@ -168,20 +169,20 @@ class Bindings {
   Cell Make(TermCode code, std::uint32_t base);
   void LookUpProbes(const MatrixLiteral& goal, std::uint32_t base, const Cell* arguments,
                     Fingerprint& print) const {
+    std::array<Cell, Fingerprint::kPlaces> terms;
     for (const Probe* probe = goal.probes; probe != goal.probes_end; ++probe) {
-      const Cell term = probe->argument != Probe::kNone
-                            ? arguments[probe->argument]
-                            : ArgumentAt(base + (probe->variable >> 2U));
-      if (IsVariable(term) || probe->place == Fingerprint::kPlaces) continue;
-      const Cell* block = Block(term);
-      print.Set(probe->place, block[0]);
-      if (probe->below == Fingerprint::kPlaces) continue;
-      const auto below = static_cast<std::uint32_t>(block - cells_.data()) + 2;
-      for (std::uint32_t i = 0; i < std::min(block[1], Fingerprint::kBelow); ++i) {
-        const Cell argument = ArgumentAt(below + i);
-        if (!IsVariable(argument)) print.Set(probe->below + i, *Block(argument));
-      }
+      const Cell term = LookUp(*probe, base, arguments, terms.data());
+      terms[probe->place] = term;
+      if (!IsVariable(term)) print.Set(probe->place, *Block(term));
     }
+  }
+  Cell LookUp(const Probe& probe, std::uint32_t base, const Cell* arguments,
+              const Cell* terms) const {
+    if (probe.argument != Probe::kNone) return arguments[probe.argument];
+    if (probe.above == Probe::kNowhere) return ArgumentAt(base + probe.variable);
+    const Cell around = terms[probe.above];
+    if (IsVariable(around) || Block(around)[1] <= probe.index) return 0;
+    return ArgumentAt((around >> 2U) + 2 + probe.index);
   }
 
   bool RunHead(const HeadOperation* operation, std::uint32_t base, std::uint32_t at);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "reasoners/pttp/tableau/cell_writer.h"
+#include "reasoners/pttp/tableau/fingerprinter.h"
 
 namespace latchwork::pttp {
 
@@ -16,7 +17,7 @@ Matrix::Matrix(std::span<const Clause> clauses, const Strategy& strategy) : orde
   AddLiterals(clauses);
   Reserve();
   AddCode();
-  AddProbes();
+  AddFingerprints();
   AddEntries();
   ChooseStarts(clauses, strategy);
 }
@@ -53,9 +54,7 @@ void Matrix::AddLiterals(std::span<const Clause> clauses) {
 
 /// Room for what is pointed to, so that it stays where it is.
 void Matrix::Reserve() {
-  std::size_t arguments = 0;
-  for (const MatrixLiteral& literal : literals_) arguments += literal.arity;
-  probes_.reserve(Fingerprint::kBelow * arguments);
+  probes_.reserve(Fingerprint::kPlaces * literals_.size());
   entries_.reserve(literals_.size() + clauses_.size());
 }
 
@@ -137,60 +136,17 @@ void Matrix::AddEntries() {
   }
 }
 
-Fingerprint Matrix::FingerprintOf(const MatrixLiteral& literal) const {
-  Fingerprint print;
-  for (std::uint32_t i = 0; i < std::min(literal.arity, Fingerprint::kPlaces); ++i) {
-    const Cell cell = cells_[literal.arguments + i];
-    if (IsVariable(cell)) continue;
-    const Cell* block = BlockOfCell(cells(), cell);
-    print.Set(i, block[0]);
-    const std::uint32_t below = Fingerprint::PlaceBelow(literal.arity, i);
-    if (below == Fingerprint::kPlaces) continue;
-    for (std::uint32_t j = 0; j < std::min(block[1], Fingerprint::kBelow); ++j) {
-      const Cell argument = block[2 + j];
-      if (!IsVariable(argument)) print.Set(below + j, *BlockOfCell(cells(), argument));
+void Matrix::AddFingerprints() {
+  std::vector<std::vector<MatrixLiteral*>> literals_of(keys_ / 2);
+  for (MatrixLiteral& literal : literals_) literals_of[literal.key / 2].push_back(&literal);
+  for (const std::vector<MatrixLiteral*>& literals : literals_of) {
+    const Fingerprinter fingerprinter(cells_, literals);
+    for (MatrixLiteral* literal : literals) {
+      literal->probes = probes_.data() + probes_.size();
+      literal->print = fingerprinter.Take(*literal, probes_);
+      literal->probes_end = probes_.data() + probes_.size();
     }
   }
-  return print;
-}
-
-/// Goals of a predicate and sign look below those arguments below which some head has a functor.
-void Matrix::AddProbes() {
-  std::vector<std::uint64_t> known(keys_, 0);
-  for (const MatrixLiteral& head : literals_) known[head.key ^ 1U] |= FingerprintOf(head).known();
-  for (MatrixLiteral& literal : literals_) {
-    std::uint64_t places = known[literal.key];
-    for (std::uint32_t i = 0; i < std::min(literal.arity, Fingerprint::kPlaces); ++i) {
-      places |= Fingerprint::Bytes(i, 1);
-      const std::uint32_t below = Fingerprint::PlaceBelow(literal.arity, i);
-      const std::uint64_t both = Fingerprint::Bytes(below, Fingerprint::kBelow);
-      if ((places & both) != 0) places |= both;
-    }
-    literal.print = FingerprintOf(literal);
-    literal.print.Keep(places);
-    AddProbes(literal, places);
-  }
-}
-
-void Matrix::AddProbes(MatrixLiteral& literal, std::uint64_t places) {
-  literal.probes = probes_.data() + probes_.size();
-  for (std::uint32_t i = 0; i < literal.arity; ++i) {
-    const Cell cell = cells_[literal.arguments + i];
-    std::uint32_t below = Fingerprint::PlaceBelow(literal.arity, i);
-    if ((places & Fingerprint::Bytes(below, 1)) == 0) below = Fingerprint::kPlaces;
-    if (IsVariable(cell)) {
-      probes_.push_back({cell, static_cast<std::uint16_t>(i),
-                         static_cast<std::uint8_t>(std::min(i, Fingerprint::kPlaces)),
-                         static_cast<std::uint8_t>(below)});
-    } else if (!IsGround(cell) && below != Fingerprint::kPlaces) {
-      const Cell* block = BlockOfCell(cells(), cell);
-      for (std::uint32_t j = 0; j < std::min(block[1], Fingerprint::kBelow); ++j) {
-        if (!IsVariable(block[2 + j])) continue;
-        probes_.push_back({block[2 + j], Probe::kNone, static_cast<std::uint8_t>(below + j)});
-      }
-    }
-  }
-  literal.probes_end = probes_.data() + probes_.size();
 }
 
 /// A quick test without variables bound: no functor in the way.
@@ -233,7 +189,7 @@ void Matrix::FindConnections(const MatrixLiteral& goal) {
   for (const Way& way : ways_of_key_[goal.key ^ 1U]) {
     if (!CanConnect(goal, *way.head)) continue;
     AddBody(*way.entry, way.head);
-    found.push_back({FingerprintOf(*way.head), way.entry});
+    found.push_back({way.head->print, way.entry});
   }
   const auto free_end = std::stable_partition(
       found.begin(), found.end(), [](const Connection& way) { return way.entry->free; });

@@ -26,16 +26,6 @@ struct Connection {
   const Entry* entry = nullptr;
 };
 
-/// A variable whose value is a part of a goal's fingerprint.
-struct Probe {
-  static constexpr std::uint16_t kNone = 0xffff;
-
-  Cell variable = 0;
-  std::uint16_t argument = kNone;  ///< The argument that it is.
-  std::uint8_t place = Fingerprint::kPlaces;
-  std::uint8_t below = Fingerprint::kPlaces;  ///< Of the first argument of its value.
-};
-
 /// A literal as it stands in its clause, an element of the matrix. Its connections are best first,
 /// those with units and ground clauses end at `free_end`.
 struct MatrixLiteral {
@@ -122,9 +112,7 @@ class Matrix {
   MatrixLiteral& Representative(MatrixLiteral& literal);
   void FindConnections(const MatrixLiteral& goal);
   bool CanConnect(const MatrixLiteral& goal, const MatrixLiteral& head) const;
-  Fingerprint FingerprintOf(const MatrixLiteral& literal) const;
-  void AddProbes();
-  void AddProbes(MatrixLiteral& literal, std::uint64_t places);
+  void AddFingerprints();
 
   BodyOrder order_;
   std::vector<Cell> cells_;
