@@ -10,11 +10,10 @@ counting, for the time. `latchwork prove --strategy plain --depth DEPTH --stats 
 search. Usage:
 
     tests/bench/prolog_comparator.py FILE.p DEPTH
-    tests/bench/prolog_comparator.py --table LATCHWORK SECONDS FILE.p...
+    tests/bench/prolog_comparator.py --table LATCHWORK MOST FILE.p...
 
-The second prints a table of the files without equality on which Prolog completes a depth with at
-least 100,000 steps, without a proof, in so many seconds of processor time: the deepest such one, the
-steps of both, their rates and the ratio.
+The second prints a table of the files without equality that have a depth whose search ends without a
+proof after 100,000 to MOST steps: the deepest such one, the steps of both, their rates and the ratio.
 """
 import pathlib
 import re
@@ -72,7 +71,11 @@ def literals(text):
 
 def write(literal, complement=False):
     positive, atom = literal
-    return atom if positive != complement else f"n_{atom}"
+    return atom if positive != complement else negated(atom)
+
+
+def negated(atom):
+    return f"'n_{atom[1:]}" if atom.startswith("'") else f"n_{atom}"
 
 
 def skeleton(atom):
@@ -99,16 +102,16 @@ def translate(path):
         if not any(positive for positive, _ in clause):
             goals = ",".join(write(other, True) for other in clause)
             lines.append(f"start([{goals}]).")
-        open_clause = any(re.search(r"\b[A-Z]", atom) for _, atom in clause)
+        open_clause = any(re.search(r"\b[A-Z]", re.sub("'[^']*'", "", atom)) for _, atom in clause)
         for i, head in enumerate(clause):
             goals = ",".join(write(o, True) for j, o in enumerate(clause) if j != i)
             name, arity = skeleton(write(head))
-            predicates.add((name.removeprefix("n_"), arity))
+            predicates.add((skeleton(head[1])[0], arity))
             cost = 1 if goals and open_clause else 0
             rules.append(f"rule({apply(name, ['_'] * arity)}, {write(head)}, [{goals}], {cost}).")
     for name, arity in sorted(predicates):
         names = [f"V{i}" for i in range(arity)]
-        pair = apply(name, names), apply("n_" + name, names)
+        pair = apply(name, names), negated(apply(name, names))
         lines += [f"neg({pair[0]}, {pair[1]}).", f"neg({pair[1]}, {pair[0]})."]
     return "\n".join(lines + rules)
 
@@ -133,39 +136,41 @@ def compare(path, depth, seconds):
     return timed and (counted[0], counted[1], timed[2])
 
 
-def deepest(path, seconds):
-    """The deepest level that is completed without a proof: depth, steps and time."""
-    best = None
+def run_latchwork(command, path, depth, most):
+    """Status, steps and processor time, starting and reading included."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    output = subprocess.run([command, "prove", "--stats", "--strategy", "plain", "--depth",
+                             str(depth), "--time", "1000", "--inferences", str(most), path],
+                            check=False, capture_output=True, text=True).stdout
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    time = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    steps = re.search(r"inferences (\d+)", output)
+    return re.search(r"SZS status (\w+)", output)[1], int(steps[1]) if steps else 0, time
+
+
+def deepest(command, path, most):
+    """The deepest level that ends without a proof after no more than so many steps, and those."""
+    best, steps = None, -1
     for depth in range(1, 100):
-        result = compare(path, depth, seconds)
-        if not result or result[0] == "proved" or (best and result[1] == best[1]):
-            return best
-        if result[1] >= LEAST_STEPS:
-            best = depth, result[1], result[2]
+        before = steps
+        status, steps, _ = run_latchwork(command, path, depth, most + 1)
+        if status != "GaveUp" or steps > most or steps == before:
+            break
+        if steps >= LEAST_STEPS:
+            best = depth, steps
     return best
 
 
-def run_latchwork(command, path, depth):
-    """Steps and the least processor time of three runs, starting and reading included."""
-    times = []
-    for _ in range(3):
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        output = subprocess.run([command, "prove", "--stats", "--strategy", "plain", "--depth",
-                                 str(depth), path], check=False, capture_output=True, text=True)
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        times.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
-    return int(re.search(r"inferences (\d+)", output.stdout)[1]), min(times)
-
-
-def table(command, seconds, paths):
+def table(command, most, paths):
     print("| problem | depth | steps | Prolog, M/s | latchwork, M/s | ratio |\n|---|---|---|---|---|---|")
     ratios = []
     for path in paths:
         text = re.sub(r"%.*", "", open(path, encoding="utf-8").read())
-        if "cnf(" not in text or "=" in text or not (found := deepest(path, seconds)):
+        if "cnf(" not in text or "=" in text or not (found := deepest(command, path, most)):
             continue
-        depth, steps, time = found
-        own_steps, own_time = run_latchwork(command, path, depth)
+        depth, own_steps = found
+        _, steps, time = compare(path, depth, 1000)
+        own_time = min(run_latchwork(command, path, depth, most + 1)[2] for _ in range(3))
         rates = steps / time / 1e6, own_steps / own_time / 1e6
         same = str(steps) if steps == own_steps else f"{steps} against {own_steps}"
         ratios.append(rates[1] / rates[0])
