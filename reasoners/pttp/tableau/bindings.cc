@@ -50,13 +50,15 @@ bool Bindings::RunHead(const HeadOperation* operation, std::uint32_t base, std::
   std::array<std::uint32_t, kMostNested> up;
   std::uint32_t nested = 0;
   for (;; ++operation) {
+    if (operation->step == HeadStep::kFirst) {
+      const Cell term = cells_[at];
+      cells_[base + (operation->cell >> 2U)] = term != 0 ? term : VariableAt(at);
+      ++at;
+      continue;
+    }
     switch (operation->step) {
-      case HeadStep::kFirst: {
-        const Cell term = cells_[at];
-        cells_[base + (operation->cell >> 2U)] = term != 0 ? term : VariableAt(at);
-        ++at;
+      case HeadStep::kFirst:
         break;
-      }
       case HeadStep::kAgain:
         if (!Unify(ArgumentAt(base + (operation->cell >> 2U)), ArgumentAt(at))) return false;
         ++at;

@@ -46,7 +46,7 @@ class Bindings {
   struct Arguments {
     Fingerprint print;
     std::uint32_t first = 0;  ///< Where they are.
-    std::uint32_t hash = 0;   ///< 0: they may have variables.
+    std::uint32_t hash = 0;   ///< 0: they may have variables, or all are of the matrix.
   };
   /// Puts the arguments of a goal on top, as they are now.
   [[gnu::always_inline]] Arguments PushArguments(const MatrixLiteral& goal, std::uint32_t base) {
@@ -57,10 +57,15 @@ class Bindings {
     Cell* arguments = cells_.Extend(goal.arity);
     const Cell* cells = cells_.data() + goal.arguments;
     Cell ground = kGroundTag;
+    Cell compound = 0;
     for (std::uint32_t i = 0; i < goal.arity; ++i) {
-      ground &= MakeArgument(cells[i], base, arguments + i);
+      const Cell argument = MakeArgument(cells[i], base, arguments + i);
+      ground &= argument;
+      compound |= argument;
     }
-    if (ground != 0) made.hash = HashOf(goal.key, arguments, goal.arity) | 1U;
+    if (ground != 0 && TagOfCell(compound) == kBuiltTag) {
+      made.hash = HashOf(goal.key, arguments, goal.arity) | 1U;
+    }
     made.print = goal.print;
     LookUpProbes(goal, base, arguments, made.print);
     return made;

@@ -62,7 +62,7 @@ class Tableau {
     Fingerprint print;
     std::uint32_t key = 0;
     std::uint32_t arguments = 0;  ///< Where they are in the bindings.
-    std::uint32_t hash = 0;       ///< 0: they may have variables.
+    std::uint32_t hash = 0;       ///< 0: it may have variables; then it says nothing.
   };
   /// The nearest ancestors of a goal with its predicate.
   struct Kin {
