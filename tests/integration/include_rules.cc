@@ -40,7 +40,8 @@ constexpr std::array<Part, 12> kParts = {{
     {"worlds/", "logic sdk"},
     {"apps/check_proof/", "logic"},
     {"apps/",
-     "logic sdk config plugin schedule record reasoners/icarus reasoners/pttp apps/check_proof"},
+     "logic sdk config plugin schedule record reasoners/circumscription reasoners/icarus "
+     "reasoners/pttp apps/check_proof"},
     {"tests/", "logic sdk config plugin schedule record"},
 }};
 
@@ -49,7 +50,7 @@ struct Confinement {
   std::string_view prefix;
   std::string_view folders;
 };
-constexpr std::array<Confinement, 13> kConfinements = {{
+constexpr std::array<Confinement, 14> kConfinements = {{
     {"mrpt/", "worlds/office/"},
     {"opencv2/", ""},
     {"Eigen/", ""},
@@ -57,6 +58,7 @@ constexpr std::array<Confinement, 13> kConfinements = {{
     {"xercesc/", "core/config/"},
     {"boost/", "core/plugin/"},
     {"dlfcn.h", "core/config/ core/plugin/"},
+    {"cadical", "reasoners/circumscription/"},
     {"CLI/", "apps/"},
     {"fmt/",
      "core/sdk/ core/config/ core/plugin/ core/schedule/ core/record/ reasoners/ plugins/ worlds/ "
@@ -67,7 +69,7 @@ constexpr std::array<Confinement, 13> kConfinements = {{
     {"benchmark/", "tests/bench/"},
 }};
 
-constexpr std::array<std::string_view, 2> kSingleUser = {"xercesc/", "boost/"};
+constexpr std::array<std::string_view, 3> kSingleUser = {"xercesc/", "boost/", "cadical"};
 
 std::vector<std::string> Words(std::string_view text) {
   std::istringstream stream{std::string(text)};

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reasoners/circumscription/sat/sat_solver.h"
+
+#include <cadical.hpp>
+
+namespace latchwork::circumscription {
+namespace {
+
+// What IPASIR solvers return.
+constexpr int kSatisfiableCode = 10;
+constexpr int kUnsatisfiableCode = 20;
+
+}  // namespace
+
+struct SatSolver::Backend {
+  CaDiCaL::Solver solver;
+};
+
+SatSolver::SatSolver(int variables) : backend_(std::make_unique<Backend>()), variables_(variables) {
+  CaDiCaL::Solver& solver = backend_->solver;
+  solver.set("quiet", 1);
+  // Models with few true atoms are near the minimal ones.
+  solver.set("phase", 0);
+  solver.set("forcephase", 1);
+  // Short calls, many of them: what prepares for long ones costs more than it saves.
+  solver.set("lucky", 0);
+  solver.set("walk", 0);
+  solver.set("elim", 0);
+  solver.reserve(variables);
+}
+
+SatSolver::~SatSolver() = default;
+SatSolver::SatSolver(SatSolver&&) noexcept = default;
+SatSolver& SatSolver::operator=(SatSolver&&) noexcept = default;
+
+void SatSolver::Add(std::span<const Literal> clause) {
+  for (const Literal literal : clause) backend_->solver.add(literal);
+  backend_->solver.add(0);
+}
+
+void SatSolver::Assume(Literal literal) { backend_->solver.assume(literal); }
+
+void SatSolver::Once(std::span<const Literal> clause) {
+  for (const Literal literal : clause) backend_->solver.constrain(literal);
+  backend_->solver.constrain(0);
+}
+
+SatResult SatSolver::Solve(int conflicts) {
+  if (conflicts >= 0) backend_->solver.limit("conflicts", conflicts);
+  const int result = backend_->solver.solve();
+  if (result == kSatisfiableCode) return SatResult::kSatisfiable;
+  return result == kUnsatisfiableCode ? SatResult::kUnsatisfiable : SatResult::kLimit;
+}
+
+bool SatSolver::Value(Literal literal) { return backend_->solver.val(literal) > 0; }
+
+bool SatSolver::Failed(Literal literal) { return backend_->solver.failed(literal); }
+
+}  // namespace latchwork::circumscription
