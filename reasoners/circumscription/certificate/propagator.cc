@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reasoners/circumscription/certificate/propagator.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace latchwork::circumscription {
@@ -8,11 +9,12 @@ namespace latchwork::circumscription {
 Propagator::Propagator(const CompiledTheory& theory)
     : middle_(theory.atom_count()),
       values_(2 * theory.atom_count() + 1, 0),
-      watches_(2 * theory.atom_count() + 1) {
-  trail_.reserve(theory.atom_count());
+      watches_(2 * theory.atom_count() + 1),
+      trail_(theory.atom_count()) {
   for (std::size_t i = 0; i < theory.clause_count(); ++i) AddClause(theory.clause(i));
   refuted_ = !Propagate() || refuted_;
-  root_ = trail_.size();
+  root_ = size_;
+  root_values_ = values_;
 }
 
 void Propagator::AddClause(std::span<const Literal> clause) {
@@ -33,41 +35,39 @@ void Propagator::AddClause(std::span<const Literal> clause) {
 }
 
 void Propagator::Reset() {
-  while (trail_.size() > root_) {
-    values_[Index(trail_.back())] = 0;
-    values_[Index(-trail_.back())] = 0;
-    trail_.pop_back();
-  }
+  std::copy(root_values_.begin(), root_values_.end(), values_.begin());
+  size_ = root_;
   next_ = root_;
 }
 
 bool Propagator::Propagate() {
   if (refuted_) return false;
-  while (next_ < trail_.size()) {
-    if (!Visit(-trail_[next_++])) return false;
+  while (next_ < size_) {
+    const Literal falsified = -trail_[next_++];
+    if (!watches_[Index(falsified)].empty() && !Visit(falsified)) return false;
   }
   return true;
 }
 
 bool Propagator::Visit(Literal falsified) {
   std::vector<Watch>& watches = watches_[Index(falsified)];
-  std::size_t kept = 0;
-  bool consistent = true;
-  for (std::size_t i = 0; i < watches.size(); ++i) {
+  for (std::size_t i = 0; i < watches.size();) {
     const Watch watch = watches[i];
-    if (!consistent || Value(watch.other) > 0) {
-      watches[kept++] = watch;
+    if (Value(watch.other) > 0) {
+      ++i;
     } else if (watch.start == kBinary) {
-      watches[kept++] = watch;
-      consistent = Assign(watch.other);
-    } else if (!MoveWatch(watch, falsified)) {
-      Literal* const clause = &literals_[watch.start];
-      watches[kept++] = {clause[0], watch.start, watch.size};
-      consistent = Assign(clause[0]);
+      if (!Assign(watch.other)) return false;
+      ++i;
+    } else if (MoveWatch(watch, falsified)) {
+      watches[i] = watches.back();
+      watches.pop_back();
+    } else {
+      const Literal first = literals_[watch.start];
+      watches[i++].other = first;
+      if (!Assign(first)) return false;
     }
   }
-  watches.resize(kept);
-  return consistent;
+  return true;
 }
 
 /// Looks for another literal to watch; leaves `falsified` in second place when there is none.

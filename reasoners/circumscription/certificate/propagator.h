@@ -31,7 +31,7 @@ class Propagator {
   /// 1 true, -1 false, 0 unknown.
   std::int8_t Value(Literal literal) const { return values_[Index(literal)]; }
   /// All true literals, in the order in which they became true.
-  std::span<const Literal> trail() const { return trail_; }
+  std::span<const Literal> trail() const { return {trail_.data(), size_}; }
 
  private:
   /// Of a clause of two literals, `other` is the other one and `start` is kBinary.
@@ -48,7 +48,7 @@ class Propagator {
   void Push(Literal literal) {
     values_[Index(literal)] = 1;
     values_[Index(-literal)] = -1;
-    trail_.push_back(literal);
+    trail_[size_++] = literal;
   }
   void AddClause(std::span<const Literal> clause);
   bool Visit(Literal falsified);
@@ -58,9 +58,11 @@ class Propagator {
   std::vector<std::int8_t> values_;  ///< By literal, from -atoms to atoms.
   std::vector<std::vector<Watch>> watches_;
   std::vector<Literal> literals_;  ///< Of the clauses of three and more; the first two are watched.
-  std::vector<Literal> trail_;
-  std::size_t next_ = 0;  ///< In trail_: what Propagate has not seen yet.
-  std::size_t root_ = 0;  ///< Trail length that Reset goes back to.
+  std::vector<Literal> trail_;     ///< Has room for all atoms.
+  std::size_t size_ = 0;           ///< Of trail_, as far as it is filled.
+  std::size_t next_ = 0;           ///< In trail_: what Propagate has not seen yet.
+  std::size_t root_ = 0;           ///< Trail length that Reset goes back to.
+  std::vector<std::int8_t> root_values_;
   bool refuted_ = false;  ///< The clauses alone are contradictory.
 };
 

@@ -40,6 +40,7 @@ bool Engine::SetLatches(std::span<const Literal> latches) {
   latches_.assign(latches.begin(), latches.end());
   minimal_.clear();
   world_ = World::kUnexplored;
+  settled_ = false;
   certified_ = options_.use_certificate && certificate_.Close(latches);
   if (certified_) ++statistics_.certified;
   return certified_;
@@ -168,13 +169,44 @@ bool Engine::IsPositive(std::span<const Literal> clause) const {
   });
 }
 
+bool Engine::IsRefuted(std::span<const Literal> clause) const {
+  return std::any_of(minimal_.begin(), minimal_.end(),
+                     [&](const Model& model) { return !Satisfies(model, clause); });
+}
+
 Answer Engine::Search(std::span<const Literal> clause) {
-  const bool refuted = std::any_of(minimal_.begin(), minimal_.end(),
-                                   [&](const Model& model) { return !Satisfies(model, clause); });
-  if (refuted) return {Verdict::kNo, Basis::kWitness};
+  if (IsRefuted(clause)) return {Verdict::kNo, Basis::kWitness};
   negation_.clear();
   for (const Literal literal : clause) negation_.push_back(-literal);
-  return Refute(clause);
+  if (clause.size() != 1) return Refute(clause);
+  const auto place = std::lower_bound(asked_.begin(), asked_.end(), clause[0]);
+  if (place == asked_.end() || *place != clause[0]) {
+    if (asked_.size() < options_.max_asked) asked_.insert(place, clause[0]);
+    return Refute(clause);
+  }
+  if (!settled_) Settle();
+  if (std::binary_search(agreed_.begin(), agreed_.end(), clause[0])) {
+    return {Verdict::kYes, Basis::kAllMinimal};
+  }
+  return IsRefuted(clause) ? Answer{Verdict::kNo, Basis::kWitness} : Refute(clause);
+}
+
+void Engine::Settle() {
+  settled_ = true;
+  agreed_ = asked_;
+  for (std::size_t calls = 0; calls < options_.calls; calls += 2) {
+    agreed_.erase(std::remove_if(agreed_.begin(), agreed_.end(),
+                                 [&](Literal literal) {
+                                   return IsRefuted({&literal, 1});
+                                 }),
+                  agreed_.end());
+    if (agreed_.empty()) return;
+    Model candidate;
+    const SatResult result = search_->Doubt(latches_, agreed_, candidate);
+    if (result == SatResult::kUnsatisfiable) return;
+    if (result == SatResult::kLimit || !Descend(candidate)) break;
+  }
+  agreed_.clear();
 }
 
 /// Looks for a minimal model of negation_.

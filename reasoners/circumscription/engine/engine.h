@@ -40,6 +40,7 @@ struct EngineOptions {
   bool use_certificate = true;
   int conflicts = -1;                ///< Of each SAT call; < 0: no limit.
   std::size_t calls = 1'000'000;     ///< SAT calls for one query.
+  std::size_t max_asked = 1024;      ///< Literals that are decided together.
   std::size_t max_learnt = 200'000;  ///< Flip formulas; with more the search starts afresh.
 };
 
@@ -84,6 +85,9 @@ class Engine {
   Answer FromCertificate(std::span<const Literal> clause);
   Answer FromUnique(std::span<const Literal> clause);
   Answer Search(std::span<const Literal> clause);
+  bool IsRefuted(std::span<const Literal> clause) const;
+  /// Decides all literals asked for so far, in this cycle or before, together.
+  void Settle();
   Answer Refute(std::span<const Literal> clause);
   Answer VaryWorld(const Model& model, Basis basis);
   bool KnowsFixed() const;
@@ -98,6 +102,9 @@ class Engine {
   std::vector<Literal> latches_;
   std::vector<Model> minimal_;     ///< Found in this cycle.
   std::vector<Literal> negation_;  ///< Of the query.
+  std::vector<Literal> asked_;     ///< Sorted: the queries of one literal that search got so far.
+  std::vector<Literal> agreed_;    ///< Sorted: those that hold in all minimal models.
+  bool settled_ = false;           ///< agreed_ is of this cycle.
   EngineStatistics statistics_;
 };
 

@@ -38,6 +38,14 @@ SatResult MinimalModels::Candidate(std::span<const Literal> latches,
   return Solve(candidate);
 }
 
+SatResult MinimalModels::Doubt(std::span<const Literal> latches, std::span<const Literal> agreed,
+                               Model& candidate) {
+  once_.clear();
+  for (const Literal literal : agreed) once_.push_back(-literal);
+  solver_.Once(once_);
+  return Candidate(latches, {}, candidate);
+}
+
 void MinimalModels::AssumeAsIn(const Model& model, const std::vector<Atom>& atoms) {
   for (const Atom atom : atoms) solver_.Assume(model.LiteralOf(atom));
 }

@@ -23,6 +23,9 @@ class MinimalModels {
   /// candidates; the more is learnt, the fewer others.
   SatResult Candidate(std::span<const Literal> latches, std::span<const Literal> required,
                       Model& candidate);
+  /// A candidate in which some of `agreed` (not empty) does not hold.
+  SatResult Doubt(std::span<const Literal> latches, std::span<const Literal> agreed,
+                  Model& candidate);
   /// A model below `model` in which `also` holds, where that is not 0. Unsatisfiable with `also`
   /// 0: `model` is minimal.
   SatResult Below(const Model& model, Literal also, Model& lower);
