@@ -4,11 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <string>
 
 #include "apps/latchwork/command.h"
 #include "apps/latchwork/entail_problem.h"
 #include "reasoners/circumscription/engine/engine.h"
 #include "reasoners/circumscription/engine/minimal_core.h"
+#include "reasoners/circumscription/policies/policy.h"
 
 namespace latchwork::app {
 namespace {
@@ -19,6 +21,7 @@ struct EntailSettings {
   EntailInput input;
   int conflicts = 2'000'000;
   std::size_t calls = 1'000'000;
+  std::string policy = "ecwa";
   bool basis = false;
 };
 
@@ -28,7 +31,10 @@ void ReportInconsistency(const EntailProblem& problem, const EntailSettings& set
              "brave one no\n",
              settings.input.input.file);
   const auto core = circ::MinimalCore(problem.theory, problem.latches, settings.conflicts);
-  if (!core) return;
+  if (!core) {
+    fmt::print(stderr, "  the theory has one: what the policy assumes contradicts itself\n");
+    return;
+  }
   fmt::print(stderr, "  these contradict each other, and without any one of them no longer:\n");
   for (const circ::Literal latch : core->latches) {
     fmt::print(stderr, "    fact    {}\n", circ::ToString(problem.theory, latch));
@@ -39,25 +45,36 @@ void ReportInconsistency(const EntailProblem& problem, const EntailSettings& set
   }
 }
 
-/// Whether all queries were decided on a consistent theory.
-bool Answer(const EntailProblem& problem, const EntailSettings& settings) {
-  circ::EngineOptions options;
-  options.conflicts = settings.conflicts;
-  options.calls = settings.calls;
-  circ::Engine engine(problem.theory, options);
-  engine.SetLatches(problem.latches);
+/// Whether all queries were decided on a consistent theory. `world`: an Engine or a ClosedWorld.
+template <typename World>
+bool AnswerFrom(World& world, const EntailProblem& problem, const EntailSettings& settings) {
   bool decided = true;
   for (const circ::Query& query : problem.queries) {
     const circ::Answer answer =
-        query.brave ? engine.HoldsSomewhere(query.literals) : engine.EntailsAlways(query.literals);
+        query.brave ? world.HoldsSomewhere(query.literals) : world.EntailsAlways(query.literals);
     decided = decided && answer.verdict != circ::Verdict::kUnknown;
     fmt::print("{} {}{}{}\n", query.id, circ::Name(answer.verdict), settings.basis ? "  % " : "",
                settings.basis ? circ::Name(answer.basis) : "");
   }
   std::fflush(stdout);
-  const bool inconsistent = engine.IsInconsistent().verdict == circ::Verdict::kYes;
+  const bool inconsistent = world.IsInconsistent().verdict == circ::Verdict::kYes;
   if (inconsistent) ReportInconsistency(problem, settings);
   return decided && !inconsistent;
+}
+
+bool Answer(const EntailProblem& problem, const EntailSettings& settings) {
+  circ::EngineOptions options;
+  options.conflicts = settings.conflicts;
+  options.calls = settings.calls;
+  const circ::Policy policy = *circ::FindPolicy(settings.policy);
+  if (policy != circ::Policy::kEcwa) {
+    circ::ClosedWorld world(problem.theory, problem.latches, policy, options);
+    if (!world.complete()) fmt::print(stderr, "the budget did not suffice to close all atoms\n");
+    return AnswerFrom(world, problem, settings) && world.complete();
+  }
+  circ::Engine engine(problem.theory, options);
+  engine.SetLatches(problem.latches);
+  return AnswerFrom(engine, problem, settings);
 }
 
 int RunEntail(const EntailSettings& settings) {
@@ -124,6 +141,11 @@ void AddEntail(CLI::App& app, Context& context) {
       ->capture_default_str();
   command->add_option("--calls", settings->calls, "SAT calls that one query may take")
       ->check(CLI::Range(1, 2'000'000'000))
+      ->capture_default_str();
+  command
+      ->add_option("--policy", settings->policy,
+                   "cwa, gcwa, ccwa, egcwa, or ecwa, which is circumscription")
+      ->check(CLI::IsMember({"cwa", "gcwa", "ccwa", "egcwa", "ecwa"}))
       ->capture_default_str();
   command->add_flag("--basis", settings->basis, "Print what each answer rests on");
   command->footer(kFooter);
