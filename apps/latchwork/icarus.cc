@@ -59,6 +59,7 @@ void AddIcarus(CLI::App& app, Context& context) {
   AddIcarusCheck(*command, context);
   AddIcarusFormat(*command, context);
   AddIcarusRun(*command, context);
+  AddIcarusTrace(*command, context);
 }
 
 }  // namespace latchwork::app

@@ -139,5 +139,79 @@ TEST_F(IcarusCommandTest, Run_BadScriptOrUnknownFunction_IsRefused) {
   EXPECT_NE(result.err.find("did you mean {rangeto}?"), std::string::npos) << result.err;
 }
 
+constexpr const char* kNear =
+    "(Near (?car)\n  :objective ((Distance ?car ?d) {< ?d 1.0})\n  :means ((Go)))\n"
+    "(Distance (?car ?d) :sensor ((bind ?d {range-to ?car})))\n(Go () :action ({go}))\n";
+constexpr const char* kApproach =
+    "(top (Near car1))\n(cycle (answer {range-to car1} 3.0) (store (car car1)) (expect {go}))\n"
+    "(cycle (answer {range-to car1} 0.5) (forget (car ?)) (expect true))\n(cycle (idle))\n";
+
+TEST_F(IcarusCommandTest, Trace_Text_IsIndentedWithPlaces) {
+  WriteText(scratch_.path() / "w.world", kApproach);
+  const CommandResult result = Icarus({"trace", "p.icarus", "--script", "w.world"}, kNear);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out.find("cycle 1\n        (Near car1)\n2:15      (Distance car1 ?d)\n"), 0U)
+      << result.out;
+  EXPECT_NE(result.out.find("\n3:12    chosen {go}\n1: start {go}\ncycle 2\n"), std::string::npos)
+      << result.out;
+  const CommandResult skills =
+      Icarus({"trace", "p.icarus", "--script", "w.world", "--level", "skill"}, kNear);
+  EXPECT_EQ(skills.out.find("range-to"), std::string::npos) << skills.out;
+}
+
+TEST_F(IcarusCommandTest, Trace_Replayed_IsIdenticalOrNamesTheFirstDifference) {
+  WriteText(scratch_.path() / "w.world", kApproach);
+  const CommandResult trace =
+      Icarus({"trace", "p.icarus", "--script", "w.world", "--json", "--acts", "all"}, kNear);
+  ASSERT_EQ(trace.exit_code, 0) << trace.err;
+  WriteText(scratch_.path() / "t.jsonl", trace.out);
+  const std::vector<std::string> replay = {"trace", "--replay", "t.jsonl", "p.icarus"};
+  const CommandResult same = Icarus(replay, "; The same.\n" + std::string(kNear));
+  EXPECT_EQ(same.exit_code, 0) << same.out << same.err;
+  EXPECT_EQ(same.out.find("identical: 3 cycles, "), 0U) << same.out;
+  std::string changed = kNear;
+  changed.replace(changed.find("1.0"), 3, "0.1");
+  const CommandResult other = Icarus(replay, changed);
+  EXPECT_EQ(other.exit_code, 6);
+  EXPECT_NE(other.out.find("diverged in cycle 1, event 6\n"), std::string::npos) << other.out;
+  EXPECT_NE(other.out.find("{< 3.0 0.1}"), std::string::npos) << other.out;
+}
+
+TEST_F(IcarusCommandTest, Trace_BadTraces_AreRefused) {
+  const std::vector<std::string> replay = {"trace", "--replay", "t.jsonl", "p.icarus"};
+  for (const char* text : {"", "{}", "nothing", "[1,2]", "{\"kind\":\"trace\"}\n{\"kind\":1}"}) {
+    WriteText(scratch_.path() / "t.jsonl", text);
+    const CommandResult result = Icarus(replay, kNear);
+    EXPECT_EQ(result.exit_code, 3) << text;
+    EXPECT_EQ(result.err.find("t.jsonl:1: error: "), 0U) << result.err;
+  }
+  EXPECT_EQ(Icarus({"trace", "p.icarus"}, kNear).exit_code, 2);
+}
+
+TEST_F(IcarusCommandTest, Run_FaultModes_EndTheCycleOrTheRun) {
+  WriteText(scratch_.path() / "w.world",
+            "(top (Near car1)) (functions range-to)\n(cycle (answer {range-to car1} far))\n"
+            "(cycle (answer {range-to car1} 3))\n");
+  const std::vector<std::string> run = {"run", "p.icarus", "--script", "w.world", "--faults"};
+  const auto with = [&](const char* mode) {
+    std::vector<std::string> arguments = run;
+    arguments.emplace_back(mode);
+    return Icarus(arguments, kNear);
+  };
+  EXPECT_EQ(with("false").out, "1: start {go}\n2: continue {go}\n");
+  EXPECT_EQ(with("abort-cycle").out, "1: aborted\n2: start {go}\n");
+  const CommandResult stopped = with("stop");
+  EXPECT_EQ(stopped.out, "1: aborted\n");
+  EXPECT_EQ(stopped.exit_code, 1);
+}
+
+TEST_F(IcarusCommandTest, Run_Profile_IsATable) {
+  WriteText(scratch_.path() / "w.world", kApproach);
+  const CommandResult result =
+      Icarus({"run", "p.icarus", "--script", "w.world", "--profile"}, kNear);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.err.find("chosen  skill\n"), std::string::npos) << result.err;
+}
+
 }  // namespace
 }  // namespace latchwork::testing

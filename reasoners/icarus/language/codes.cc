@@ -81,7 +81,8 @@ constexpr std::array<CodeInfo, 32> kCodes = {{
     {"I029", kError,
      "A script of a world holds (top (Skill argument ...)), (functions name ...) and "
      "(cycle item ...), whose items are (answer {function argument ...} value), (store fact), "
-     "(forget pattern), (top call), (idle), (repeat n) and (expect {act} ... true|false|fault)."},
+     "(forget pattern), (update pattern fact), (top call), (idle), (repeat n) and (expect {act} "
+     "... true|false|fault)."},
     {"I030", kError,
      "A program may name the call that every cycle begins with, once: (top (Skill argument "
      "...))."},

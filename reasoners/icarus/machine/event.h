@@ -22,7 +22,7 @@ enum class EventKind : std::uint8_t {
   kHost,    ///< The host is asked. name, values: arguments; answer; text: why it failed.
   kKnown,   ///< The same, answered earlier in this cycle.
   kBind,    ///< truth, bindings.
-  kMatch,   ///< truth, bindings; answer: the fact.
+  kMatch,   ///< truth, bindings; answer: the fact. index: 1 where it is a further one.
   kNot,     ///< A negation has come to its end. truth; acted: its clause acted.
   kObjective,  ///< An objective has come to its end. truth: it was not False.
   kMeans,      ///< One of :means is asked. index, from 1; clause.
@@ -52,14 +52,15 @@ struct Event {
   std::uint32_t number = 0;        ///< Within the cycle, from 1.
   std::uint32_t in = 0;            ///< The kCall event of the skill that it is in; 0: the top.
   std::uint32_t depth = 0;         ///< Skills that are being asked.
-  std::uint32_t skill = kNoSkill;  ///< kCall, kTrue, kReturn: called. Else that it is in.
+  std::uint32_t skill = kNoSkill;  ///< kCall, kTrue, kReturn: called. Acts: the :action.
+  std::uint32_t body = kNoSkill;   ///< The skill that the clause is of; kNoSkill: the top.
   FormId form = kNoForm;           ///< The clause, of the program or, where `in` is 0, of the top.
   std::uint32_t index = 0;
   NameId name = kNoName;
   Value answer;
   std::span<const Value> values;
   std::span<const Binding> bindings;
-  std::span<const Value> frame;  ///< The variables of the clause's skill, as they are bound now.
+  std::span<const Value> frame;  ///< The variables of `body`, as they are bound now.
   const Act* act = nullptr;
   std::string_view text;
 };

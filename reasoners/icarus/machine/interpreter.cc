@@ -55,6 +55,7 @@ struct Interpreter::Implementation {
   struct Top {
     Address entry;
     std::vector<std::string> variables;
+    std::unique_ptr<const SourceTree> source;  ///< Null: that of the program.
   };
   /// What was issued in one cycle, in memory of its own: it is compared with the next.
   struct Issued {
@@ -77,7 +78,7 @@ struct Interpreter::Implementation {
   std::size_t AddTop(const Skill& query, const SourceTree& source, Findings& new_findings) {
     const Address entry =
         CompileTop(program, query, source, host, code, names, constants, new_findings);
-    tops.push_back({entry, query.variables});
+    tops.push_back({entry, query.variables, nullptr});
     return tops.size() - 1;
   }
 
@@ -125,15 +126,28 @@ const Findings& Interpreter::findings() const { return implementation_->findings
 
 std::size_t Interpreter::AddTop(std::string text, Findings& findings) {
   Implementation& own = *implementation_;
-  const TopCall top = ReadTop(own.program, std::move(text), findings);
+  TopCall top = ReadTop(own.program, std::move(text), findings);
   if (HasErrors(findings)) return kNoTop;
-  return own.AddTop(top.query, top.source, findings);
+  const std::size_t added = own.AddTop(top.query, top.source, findings);
+  own.tops.back().source = std::make_unique<const SourceTree>(std::move(top.source));
+  return added;
 }
 
 std::size_t Interpreter::AddTop(Findings& findings) {
   Implementation& own = *implementation_;
   if (!own.program.top) return kNoTop;
   return own.AddTop(*own.program.top, own.program.source, findings);
+}
+
+std::string Interpreter::TopText(std::size_t top) const {
+  const FormId form = implementation_->code.instructions[implementation_->tops.at(top).entry].form;
+  return std::string(TopSource(top).Text(form));
+}
+
+const SourceTree& Interpreter::TopSource(std::size_t top) const {
+  const Implementation& own = *implementation_;
+  const Implementation::Top& at = own.tops.at(top);
+  return at.source == nullptr ? own.program.source : *at.source;
 }
 
 std::span<const std::string> Interpreter::TopVariables(std::size_t top) const {

@@ -129,6 +129,11 @@ class Interpreter {
   /// The names of the variables of a top call, as they stand in CycleResult::values.
   std::span<const std::string> TopVariables(std::size_t top) const;
 
+  /// What the clauses of a top call, `form` of its events and faults, stand in.
+  const SourceTree& TopSource(std::size_t top) const;
+  /// The call as it was written.
+  std::string TopText(std::size_t top) const;
+
   static constexpr std::size_t kNoTop = static_cast<std::size_t>(-1);
   /// Evaluates a top call once; kNoTop: the program is not called in this cycle. Within the limits
   /// of the options, unless others are given.

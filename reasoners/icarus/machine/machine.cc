@@ -53,10 +53,10 @@ void Machine::Run(Address entry, std::uint32_t variables, std::uint64_t cycle,
 
 template <bool kTraced>
 void Machine::Loop() {
-  bool going = true;
-  while (going && !stopped_) {
+  while (!stopped_) {
     const Instruction& instruction = code_.instructions[pc_];
-    going = (kTraced ? StepTraced(instruction) : Step(instruction)) || Backtrack<kTraced>();
+    if (kTraced ? StepTraced(instruction) : Step(instruction)) continue;
+    if (stopped_ || !Backtrack<kTraced>()) return;
   }
 }
 

@@ -182,7 +182,8 @@ class Machine {
   bool ResumeTraced(const Choice& choice);
   Event MakeEvent(EventKind kind) const;
   void Tell(Event& event);
-  void TellClause(EventKind kind, const Instruction& instruction, bool truth, std::size_t mark);
+  void TellClause(EventKind kind, const Instruction& instruction, bool truth, std::size_t mark,
+                  std::uint32_t index = 0);
   void SetBindings(Event& event, std::size_t mark);
   void TraceCall(const Instruction& instruction, Index caller_base);
   void TraceExit(Index callee, bool passed, std::size_t mark);

@@ -57,7 +57,7 @@ bool Machine::ResumeTraced(const Choice& choice) {
   const bool going = Resume(choice);
   if (!going) return false;
   const Instruction& instruction = code_.instructions[choice.pc];
-  if (choice.kind == ChoiceKind::kMatch) TellClause(EventKind::kMatch, instruction, true, mark);
+  if (choice.kind == ChoiceKind::kMatch) TellClause(EventKind::kMatch, instruction, true, mark, 1);
   if (choice.kind == ChoiceKind::kMeans) TraceMeans(instruction);
   return true;
 }
@@ -69,8 +69,8 @@ Event Machine::MakeEvent(EventKind kind) const {
   event.in = scopes_[scope_].event;
   event.depth = scopes_[scope_].depth;
   const Index skill = scopes_[scope_].kind == ScopeKind::kSkill ? scope_ : SkillAbove(scope_);
-  event.skill = scopes_[skill].skill;
-  const std::uint32_t variables = skill == 0 ? top_variables_ : code_.skills[event.skill].variables;
+  event.body = scopes_[skill].skill;
+  const std::uint32_t variables = skill == 0 ? top_variables_ : code_.skills[event.body].variables;
   event.frame = {frames_.data() + base_, variables};
   return event;
 }
@@ -81,8 +81,9 @@ void Machine::Tell(Event& event) {
 }
 
 void Machine::TellClause(EventKind kind, const Instruction& instruction, bool truth,
-                         std::size_t mark) {
+                         std::size_t mark, std::uint32_t index) {
   Event event = MakeEvent(kind);
+  event.index = index;
   event.form = instruction.form;
   event.truth = truth;
   if (truth && kind == EventKind::kMatch) event.answer = matched_->value;
@@ -101,16 +102,18 @@ void Machine::SetBindings(Event& event, std::size_t mark) {
 }
 
 void Machine::TraceCall(const Instruction& instruction, Index caller_base) {
-  const Scope& scope = scopes_[scope_];
-  const Index caller =
-      scopes_[scope.parent].kind == ScopeKind::kSkill ? scope.parent : SkillAbove(scope.parent);
+  const Index callee = scope_;
+  const Index callee_base = base_;
+  scope_ = scopes_[callee].parent;
+  base_ = caller_base;
   Event event = MakeEvent(EventKind::kCall);
-  event.in = scopes_[caller].event;
+  scope_ = callee;
+  base_ = callee_base;
   event.form = instruction.form;
-  event.values = event.frame.first(code_.skills[event.skill].parameters);
-  event.frame = {frames_.data() + caller_base,
-                 caller == 0 ? top_variables_ : code_.skills[scopes_[caller].skill].variables};
-  scopes_[scope_].event = events_ + 1;
+  event.skill = instruction.a;
+  event.depth = scopes_[callee].depth;
+  event.values = {frames_.data() + callee_base, code_.skills[instruction.a].parameters};
+  scopes_[callee].event = events_ + 1;
   Tell(event);
 }
 
@@ -170,7 +173,6 @@ void Machine::TraceAct(EventKind kind, Index scope, const FoundAct& act) {
   event.depth = scopes_[scope].depth;
   event.form = act.act.path->form;
   event.skill = act.act.skill;
-  event.frame = {};
   event.act = &act.act;
   Tell(event);
 }

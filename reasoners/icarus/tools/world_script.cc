@@ -78,6 +78,7 @@ class ScriptReader {
     if (head == "expect") return AddExpectation(cycle, parts);
     if (head == "idle" && parts.size() == 1) return cycle.idle = true;
     if (head == "answer" && parts.size() == 3) return AddAnswer(cycle, parts);
+    if (head == "update" && parts.size() == 3) return AddUpdate(cycle, parts);
     if (parts.size() != 2) return false;
     const FormKind kind = tree_.kind(parts[1]);
     if (head == "top") {
@@ -108,6 +109,17 @@ class ScriptReader {
     if (tree_.Folded(parts[2]) != "nil") answer.answer = MakeValue(parts[2]);
     cycle.answers.push_back(std::move(answer));
     return true;
+  }
+
+  bool AddUpdate(ScriptCycle& cycle, const std::vector<FormId>& parts) {
+    if (tree_.kind(parts[1]) != FormKind::kList || tree_.kind(parts[2]) != FormKind::kList ||
+        !IsGround(parts[2])) {
+      return false;
+    }
+    const Value pattern = MakeValue(parts[1]);
+    const Value fact = MakeValue(parts[2]);
+    cycle.updated.emplace_back(pattern, fact);
+    return !pattern.is_none() && !fact.is_none();
   }
 
   bool AddExpectation(ScriptCycle& cycle, const std::vector<FormId>& parts) {
@@ -167,6 +179,22 @@ class ScriptReader {
   WorldScript& script_;
 };
 
+void Update(const Value& pattern, const Value& fact, FactStore& memory) {
+  bool placed = false;
+  for (const FactStore::Fact* at = memory.First(); at != nullptr; at = at->next) {
+    if (at->died != 0 || !Fits(pattern, at->value)) continue;
+    if (!placed) {
+      memory.Replace(at, fact);
+    } else if (!Equal(at->value, fact)) {
+      memory.Remove(at);
+    }
+    placed = true;
+  }
+  if (!placed) memory.Store(fact);
+}
+
+}  // namespace
+
 bool Fits(const Value& pattern, const Value& value) {
   if (pattern.is_none()) return true;
   if (pattern.kind != ValueKind::kList || value.kind != ValueKind::kList) {
@@ -177,13 +205,16 @@ bool Fits(const Value& pattern, const Value& value) {
   return std::equal(left.begin(), left.end(), right.begin(), right.end(), Fits);
 }
 
-}  // namespace
-
 WorldScript ReadScript(std::string text, std::string file, NamePool& names, Findings& findings) {
   WorldScript script;
+  ExtendScript(std::move(text), std::move(file), names, script, findings);
+  return script;
+}
+
+void ExtendScript(std::string text, std::string file, NamePool& names, WorldScript& script,
+                  Findings& findings) {
   const SourceTree tree = ReadForms(std::move(text), std::move(file), findings);
   ScriptReader(tree, names, findings, script).Read();
-  return script;
 }
 
 Value ScriptedWorld::Call(std::size_t function, std::span<const Value> arguments, Arena& /*arena*/,
@@ -211,6 +242,7 @@ void ScriptedWorld::Begin(const ScriptCycle& cycle, FactStore& memory) {
       if (fact->died == 0 && Fits(pattern, fact->value)) memory.Remove(fact);
     }
   }
+  for (const auto& [pattern, fact] : cycle.updated) Update(pattern, fact, memory);
   for (const Value& fact : cycle.stored) memory.Store(fact);
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reasoners/icarus/language/finding.h"
@@ -30,6 +31,8 @@ struct ScriptCycle {
   std::uint32_t line = 0;
   std::vector<ScriptAnswer> answers;
   std::vector<Value> stored;
+  /// The first fact that fits the pattern becomes the other; more that fit are forgotten.
+  std::vector<std::pair<Value, Value>> updated;
   std::vector<Value> forgotten;    ///< None, also within lists, stands for anything.
   std::optional<std::string> top;  ///< From this cycle on.
   bool idle = false;               ///< The program is not called.
@@ -51,6 +54,12 @@ struct WorldScript {
 };
 
 WorldScript ReadScript(std::string text, std::string file, NamePool& names, Findings& findings);
+/// Adds what a text holds to a script. Worlds of the script see it; functions keep their numbers.
+void ExtendScript(std::string text, std::string file, NamePool& names, WorldScript& script,
+                  Findings& findings);
+
+/// Whether a value is what a pattern says: none, also within lists, stands for anything.
+bool Fits(const Value& pattern, const Value& value);
 
 /// The host that a script describes. Answers stay until another for the same call replaces them;
 /// what is not answered is False.
