@@ -92,7 +92,6 @@ TEST(IcarusEventTest, Plan_TellsConditionsAndMeans) {
             "5:11      means 1 (Go car1)\n"
             "5:11      (Go car1)\n"
             "5:11        act {go car1}\n"
-            "5:11      (Go car1) acts\n"
             "5:11    chosen {go car1}\n");
 }
 
