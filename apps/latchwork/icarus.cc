@@ -60,6 +60,7 @@ void AddIcarus(CLI::App& app, Context& context) {
   AddIcarusFormat(*command, context);
   AddIcarusRun(*command, context);
   AddIcarusTrace(*command, context);
+  AddIcarusRepl(*command, context);
 }
 
 }  // namespace latchwork::app

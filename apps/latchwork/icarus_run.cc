@@ -29,7 +29,7 @@ void PrintJson(const IcarusSession& session, std::size_t top, const icarus::Cycl
   Json line = {{"cycle", session.interpreter->cycle()},
                {"acts", Texts(result.acts, session.names)},
                {"stopped", Texts(result.stopped, session.names)},
-               {"true", TopBindings(session, top, result)},
+               {"true", TopBindings(*session.interpreter, session.names, top, result)},
                {"clauses", result.clauses},
                {"faults", result.fault_count},
                {"expected", met}};
@@ -57,7 +57,8 @@ class Runner {
     if (settings_.json) {
       PrintJson(session_, session_.tops[index], result, met);
     } else {
-      fmt::print("{}\n", CycleLine(session_, session_.tops[index], result));
+      fmt::print("{}\n",
+                 CycleLine(*session_.interpreter, session_.names, session_.tops[index], result));
     }
     PrintFaults(session_, result);
     if (!met) {

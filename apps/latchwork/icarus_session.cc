@@ -138,30 +138,31 @@ std::vector<std::string> Texts(std::span<const icarus::Act> acts, const icarus::
   return texts;
 }
 
-std::vector<std::map<std::string, std::string>> TopBindings(const IcarusSession& session,
+std::vector<std::map<std::string, std::string>> TopBindings(const icarus::Interpreter& interpreter,
+                                                            const icarus::NamePool& names,
                                                             std::size_t top,
                                                             const icarus::CycleResult& result) {
   std::vector<std::map<std::string, std::string>> all(result.environments);
   if (top == icarus::Interpreter::kNoTop) return all;
-  const auto variables = session.interpreter->TopVariables(top);
+  const auto variables = interpreter.TopVariables(top);
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = 0; j < variables.size(); ++j) {
       const icarus::Value& value = result.values[i * variables.size() + j];
-      if (!value.is_none()) all[i][variables[j]] = icarus::ToString(value, session.names);
+      if (!value.is_none()) all[i][variables[j]] = icarus::ToString(value, names);
     }
   }
   return all;
 }
 
-std::string CycleLine(const IcarusSession& session, std::size_t top,
-                      const icarus::CycleResult& result) {
-  const std::vector<std::string> acts = Texts(result.acts, session.names);
-  std::string line = fmt::format("{}:", session.interpreter->cycle());
-  for (const std::string& act : Texts(result.stopped, session.names)) line += " stop " + act;
+std::string CycleLine(const icarus::Interpreter& interpreter, const icarus::NamePool& names,
+                      std::size_t top, const icarus::CycleResult& result) {
+  const std::vector<std::string> acts = Texts(result.acts, names);
+  std::string line = fmt::format("{}:", interpreter.cycle());
+  for (const std::string& act : Texts(result.stopped, names)) line += " stop " + act;
   for (std::size_t i = 0; i < acts.size(); ++i) {
     line += (result.acts[i].started ? " start " : " continue ") + acts[i];
   }
-  for (const auto& bindings : TopBindings(session, top, result)) {
+  for (const auto& bindings : TopBindings(interpreter, names, top, result)) {
     line += " True";
     for (const auto& [name, value] : bindings) line += ' ' + name + '=' + value;
   }
@@ -172,18 +173,27 @@ std::string CycleLine(const IcarusSession& session, std::size_t top,
   return line;
 }
 
-void PrintFaults(const IcarusSession& session, const icarus::CycleResult& result) {
+std::vector<std::string> FaultTexts(const icarus::Program& program, std::uint64_t cycle,
+                                    const icarus::CycleResult& result) {
+  std::vector<std::string> texts;
   for (const icarus::Fault& fault : result.faults) {
-    const icarus::SourceTree& source = session.program.program.source;
     std::string place = "top";
     if (!fault.in_top && fault.form != icarus::kNoForm) {
-      const logic::SourcePlace at = source.Place(fault.form);
+      const logic::SourcePlace at = program.source.Place(fault.form);
       place = fmt::format("{}:{}:{}", at.file, at.line, at.column);
     }
     std::string stack;
     for (const std::string& skill : fault.skills) stack += (stack.empty() ? "" : " < ") + skill;
-    fmt::print(stderr, "{}: fault in cycle {}: {}{}\n", place, session.interpreter->cycle(),
-               fault.message, stack.empty() ? "" : "\n  in " + stack);
+    texts.push_back(fmt::format("{}: fault in cycle {}: {}{}", place, cycle, fault.message,
+                                stack.empty() ? "" : "\n  in " + stack));
+  }
+  return texts;
+}
+
+void PrintFaults(const IcarusSession& session, const icarus::CycleResult& result) {
+  const std::uint64_t cycle = session.interpreter->cycle();
+  for (const std::string& text : FaultTexts(session.program.program, cycle, result)) {
+    fmt::print(stderr, "{}\n", text);
   }
 }
 

@@ -62,12 +62,16 @@ bool IsAsExpected(const IcarusSession& session, std::size_t index,
 
 std::vector<std::string> Texts(std::span<const icarus::Act> acts, const icarus::NamePool& names);
 /// `?d=0.5` for each variable of the top call that is bound, one list for each environment.
-std::vector<std::map<std::string, std::string>> TopBindings(const IcarusSession& session,
+std::vector<std::map<std::string, std::string>> TopBindings(const icarus::Interpreter& interpreter,
+                                                            const icarus::NamePool& names,
                                                             std::size_t top,
                                                             const icarus::CycleResult& result);
 /// The acts that stop, start and go on, and in which environments the top call is True.
-std::string CycleLine(const IcarusSession& session, std::size_t top,
-                      const icarus::CycleResult& result);
+std::string CycleLine(const icarus::Interpreter& interpreter, const icarus::NamePool& names,
+                      std::size_t top, const icarus::CycleResult& result);
+/// Each fault with its place and the skills that were being asked.
+std::vector<std::string> FaultTexts(const icarus::Program& program, std::uint64_t cycle,
+                                    const icarus::CycleResult& result);
 /// The faults of a cycle, to standard error.
 void PrintFaults(const IcarusSession& session, const icarus::CycleResult& result);
 

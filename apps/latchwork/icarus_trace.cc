@@ -92,7 +92,8 @@ int PrintTrace(const Settings& settings) {
       },
       [&](std::size_t i, const icarus::CycleResult& result) {
         fmt::print("{}\n", settings.json ? ToLine(ResultToJson(*session, i, result))
-                                         : CycleLine(*session, session->tops[i], result));
+                                         : CycleLine(*session->interpreter, session->names,
+                                                     session->tops[i], result));
         if (!IsAsExpected(*session, i, result)) ++unmet;
         return true;
       });

@@ -160,7 +160,7 @@ Json ResultToJson(const IcarusSession& session, std::size_t index,
           {"cycle", session.interpreter->cycle()},
           {"acts", Texts(result.acts, session.names)},
           {"stopped", Texts(result.stopped, session.names)},
-          {"true", TopBindings(session, session.tops[index], result)},
+          {"true", TopBindings(*session.interpreter, session.names, session.tops[index], result)},
           {"clauses", result.clauses},
           {"faults", result.fault_count}};
 }
