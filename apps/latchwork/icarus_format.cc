@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "apps/latchwork/icarus_command.h"
+#include "apps/latchwork/unified_diff.h"
 #include "reasoners/icarus/language/reader.h"
 #include "reasoners/icarus/tools/formatter.h"
 
@@ -22,6 +23,7 @@ namespace {
 struct Settings {
   std::vector<std::string> files;
   bool check = false;
+  bool diff = false;
 };
 
 /// The new text stands beside the old one until it is whole.
@@ -49,6 +51,10 @@ int FormatFile(const Settings& settings, const std::string& file) {
     return kInvalidInput;
   }
   const std::string after = icarus::FormatProgram(tree);
+  if (settings.diff) {
+    fmt::print("{}", UnifiedDiff(before, after, file));
+    return before == after ? kDone : kGoalNotReached;
+  }
   if (file == "-" && !settings.check) {
     fmt::print("{}", after);
     return kDone;
@@ -69,6 +75,9 @@ void AddIcarusFormat(CLI::App& icarus, Context& context) {
       ->required();
   command->add_flag("--check", settings->check,
                     "Change nothing; exit with 1 when a program would be changed");
+  command->add_flag("--diff", settings->diff,
+                    "Change nothing; print what would be changed, for people and for 'patch', and "
+                    "exit with 1 where something would be");
   command->callback([settings, &context] {
     for (const std::string& file : settings->files) {
       context.exit_code = std::max(context.exit_code, FormatFile(*settings, file));

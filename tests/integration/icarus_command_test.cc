@@ -213,5 +213,130 @@ TEST_F(IcarusCommandTest, Run_Profile_IsATable) {
   EXPECT_NE(result.err.find("chosen  skill\n"), std::string::npos) << result.err;
 }
 
+TEST_F(IcarusCommandTest, Format_Diff_PrintsWhatWouldChange) {
+  const CommandResult result =
+      Icarus({"fmt", "--diff", "p.icarus"}, "(Go () :action ({go}))\n(Top ()\n:means ((Go)))\n");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.out.find("--- p.icarus\n+++ p.icarus\n@@ -1,3 +1,"), 0U) << result.out;
+  EXPECT_NE(result.out.find("\n-:means ((Go)))\n"), std::string::npos) << result.out;
+  WriteText(scratch_.path() / "d.patch", result.out);
+  const CommandResult good = Icarus({"fmt", "--diff", "p.icarus"}, kGood);
+  EXPECT_EQ(good.exit_code, 0);
+  EXPECT_EQ(good.out, "");
+}
+
+CommandResult Repl(const std::filesystem::path& folder, const std::string& commands,
+                   const std::string& program, const std::string& world = kApproach) {
+  WriteText(folder / "p.icarus", program);
+  WriteText(folder / "w.world", world);
+  WriteText(folder / "commands", commands);
+  return RunShell("latchwork icarus repl p.icarus --script w.world < commands", folder);
+}
+
+TEST_F(IcarusCommandTest, Repl_Session_GivesTheSameAnswersAgain) {
+  const CommandResult result = Repl(
+      scratch_.path(),
+      "top\nwatch (car ?)\nstep\nmemory\nwhy\nwhy-not Go\nstep\nwhy-not Go\nanswer {range-to "
+      "car1} 7\nstep 2\nbreak fact (seen ?)\nstore (seen it)\nmemory (seen ?)\nupdate (seen ?) "
+      "(seen that)\nforget (car ?)\nmemory\nbreak\nquit\nstep\n",
+      kNear);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out,
+            "(Near car1)\n"
+            "1: start {go}\n"
+            "+ (car car1)\n"
+            "(car car1)\n"
+            "{go}\n"
+            "(Near car1)\n"
+            "  objective False: (Distance car1 ?d) {< ?d 1.0}\n"
+            "  means 1: (Go)  [3:12]\n"
+            "(Go)\n"
+            "sensor: {range-to car1} = 3.0\n"
+            "(Go) was called; the cycle ended within it; the act chosen is {go}  [3:12]\n"
+            "2: stop {go} True\n"
+            "- (car car1)\n"
+            "(Go) was not called\n"
+            "  the way to it ends in (Near car1), whose means calls Go\n"
+            "    its objective is not False, so that nothing else of it is asked\n"
+            "3: (not called)\n"
+            "4: start {go}\n"
+            "(seen it)\n"
+            "(seen that)\n"
+            "1: fact (seen ?)\n");
+}
+
+TEST_F(IcarusCommandTest, Repl_WhyNot_NamesTheClauseAndWhatItFailedOn) {
+  constexpr const char* kProgram =
+      "(Top () :requires ((car ?c) (Ready ?c)) :means ((Ram ?c)))\n"
+      "(Ready (?c) :objective ((driver ?c ?p fast) {awake ?p}))\n(Ram (?c) :action ({ram ?c}))\n";
+  const CommandResult result =
+      Repl(scratch_.path(),
+           "step\nwhy-not Ram\nstep\nwhy-not Ram car1\nwhy-not Rma\nwhy-not\nbreak Ram\nanswer "
+           "{awake ann} t\nrun\nwhy-not Ram\nwhy\n",
+           kProgram,
+           "(top (Top))\n(cycle (store (car car1)) (store (driver car1 ann slow)))\n"
+           "(cycle (update (driver ? ? ?) (driver car1 ann fast)))\n");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(
+      result.out,
+      "1: False\n"
+      "(Ram) was not called\n"
+      "  the way to it ends in (Top), whose means calls Ram\n"
+      "    requires: (Ready car1) is False  [1:29]\n"
+      "      objective: (driver car1 ?p fast) is False; the nearest fact is (driver car1 ann "
+      "slow)  [2:26]\n"
+      "      it has no :means to act by\n"
+      "2: False\n"
+      "(Ram car1) was not called\n"
+      "  the way to it ends in (Top), whose means calls Ram\n"
+      "    requires: (Ready car1) is False  [1:29]\n"
+      "      objective: {awake ann} is False: {awake ann} = nil  [2:47]\n"
+      "      it has no :means to act by\n"
+      "there is no skill 'Rma'; did you mean 'Ram'?\n"
+      "why-not SKILL [ARGUMENT ..]\n"
+      "3: start {ram car1}\n"
+      "break: Ram\n"
+      "(Ram car1) was called; the cycle ended within it; the act chosen is {ram car1}  [1:49]\n"
+      "{ram car1}\n"
+      "(Top)\n"
+      "  held: (car car1)  [1:20]\n"
+      "  held: (Ready car1)  [1:29]\n"
+      "  means 1: (Ram car1)  [1:49]\n"
+      "(Ram car1)\n"
+      "sensor: {awake ann} = t\n");
+}
+
+TEST_F(IcarusCommandTest, Repl_AnyInput_IsSurvived) {
+  std::string commands =
+      "why\nwhy-not Near\nbreak act {\nbreak fact\nwatch ?x\nstore (\nstore (a)) "
+      "(b\nanswer {f} \nanswer 3 4\ntop (Nera 1)\ntop )(\nstep -1\nrun x\ndelete 9\n"
+      "trace maybe\nreload\nfoo\nsetp\n\n   \n";
+  commands += std::string(100'000, '(') + "\n" + std::string("step\0\1\2\xff\n", 10) +
+              "memory (((\nstep 2\ntrace\nhelp";
+  const CommandResult result = Repl(scratch_.path(), commands, kNear);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("did you mean 'step'?"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("\n1: start {go}\n2: stop {go} True\n"), std::string::npos)
+      << result.out;
+}
+
+TEST_F(IcarusCommandTest, Repl_Reload_KeepsMemoryOrTheOldProgram) {
+  WriteText(scratch_.path() / "p.icarus", kNear);
+  WriteText(scratch_.path() / "w.world", kApproach);
+  WriteText(scratch_.path() / "bad.icarus", kBad);
+  WriteText(scratch_.path() / "good.icarus", std::string(kNear) + "(Turn () :action ({turn}))\n");
+  const CommandResult result = RunShell(
+      "mkfifo commands && { latchwork icarus repl p.icarus --script w.world < commands > out & }\n"
+      "exec 3> commands\n"
+      "say() { echo \"$1\" >&3; until grep -q \"$2\" out; do :; done; }\n"
+      "say step '^1:'; cp bad.icarus p.icarus; say reload 'goes on'; cp good.icarus p.icarus\n"
+      "say reload skills; echo memory >&3; echo step >&3; exec 3>&-; wait; cat out",
+      scratch_.path());
+  EXPECT_EQ(result.out,
+            "1: start {go}\nthe old program goes on\n4 skills\n(car car1)\n2: stop {go} True\n")
+      << result.err;
+  EXPECT_NE(result.err.find("p.icarus:1:8: error[I006]"), std::string::npos) << result.err;
+}
+
 }  // namespace
 }  // namespace latchwork::testing

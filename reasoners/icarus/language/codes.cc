@@ -67,8 +67,9 @@ constexpr std::array<CodeInfo, 32> kCodes = {{
      "This means offers its act whenever it is asked; with acts = first, those after it are never "
      "chosen."},
     {"I023", kWarning,
-     "The first thing that the skill asks for is, directly or through others, the skill itself: it "
-     "ends at the limit of depth, with a fault."},
+     "The first thing that the skill asks for is, directly or through others, the skill itself; or "
+     "it calls itself with its own arguments, where nothing has changed: it ends at the limit of "
+     "depth, with a fault."},
     {"I024", kWarning,
      "The state of a sequence is kept for the values of its parameters; nothing before this clause "
      "binds the variable, so all such calls share one state."},

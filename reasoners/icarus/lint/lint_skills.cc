@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "reasoners/icarus/language/signature.h"
 #include "reasoners/icarus/language/walk.h"
 #include "reasoners/icarus/lint/lint.h"
 
@@ -96,6 +98,60 @@ void LintEndless(const Program& program, Reporter& reporter) {
   }
 }
 
+/// Whether clauses change memory, and with it what the same call comes to.
+bool ChangesMemory(const Program& program) {
+  bool changes = false;
+  for (const Skill& skill : program.skills) {
+    if (skill.type == SkillType::kAction) continue;
+    WalkTerms(skill, [&](const Term& term, Slot) {
+      if (term.kind != TermKind::kCall) return;
+      const Signature* const builtin = FindBuiltin(term.text);
+      changes = changes || (builtin != nullptr && builtin->changes_memory);
+    });
+  }
+  return changes;
+}
+
+/// Whether a clause may bind a parameter.
+bool MayBind(const Skill& skill, const Clause& clause) {
+  bool may = false;
+  for (const Term& term : clause.terms) {
+    WalkTerm(term, [&](const Term& part) {
+      may = may || (part.kind == TermKind::kVariable && part.index < skill.parameters);
+    });
+  }
+  return may && clause.kind != ClauseKind::kCall;
+}
+
+/// Whether the arguments are the parameters.
+bool PassesItsArguments(const Skill& skill, const Clause& call) {
+  bool same = call.terms.size() == skill.parameters;
+  for (std::size_t i = 0; same && i < call.terms.size(); ++i) {
+    same = call.terms[i].kind == TermKind::kVariable && call.terms[i].index == i;
+  }
+  return same;
+}
+
+/// What a call came to once it comes to again within the cycle.
+void LintRecursion(const Program& program, std::uint32_t index, Reporter& reporter) {
+  const Skill& skill = program.skills[index];
+  if (skill.type != SkillType::kPlan || FirstCalled(skill) == index) return;
+  const std::vector<Clause>* const required = skill.slot(Slot::kRequires);
+  const bool binds = required != nullptr &&
+                     std::any_of(required->begin(), required->end(),
+                                 [&](const Clause& clause) { return MayBind(skill, clause); });
+  if (skill.slot(Slot::kMeans) == nullptr || binds) return;
+  for (const Clause& clause : *skill.slot(Slot::kMeans)) {
+    if (clause.kind != ClauseKind::kSkill || clause.skill != index ||
+        !PassesItsArguments(skill, clause)) {
+      continue;
+    }
+    reporter.Add(Code::kEndless, clause.form,
+                 "the skill '" + skill.spelling + "' calls itself with its own arguments",
+                 "pass it something that comes nearer to the end of the recursion");
+  }
+}
+
 /// Whether the skill offers an act whenever it is asked.
 bool AlwaysActs(const Program& program, std::uint32_t index) {
   for (std::size_t steps = 0; steps < program.skills.size(); ++steps) {
@@ -137,9 +193,11 @@ void LintObjective(const Program& program, const Skill& skill, Reporter& reporte
 }  // namespace
 
 void LintSkills(const Program& program, const CheckOptions& options, Reporter& reporter) {
-  for (const Skill& skill : program.skills) {
-    LintObjective(program, skill, reporter);
-    LintMeans(program, skill, reporter);
+  const bool changes_memory = ChangesMemory(program);
+  for (std::uint32_t i = 0; i < program.skills.size(); ++i) {
+    LintObjective(program, program.skills[i], reporter);
+    LintMeans(program, program.skills[i], reporter);
+    if (!changes_memory) LintRecursion(program, i, reporter);
   }
   LintEndless(program, reporter);
   LintReach(program, options, reporter);

@@ -96,6 +96,7 @@ constexpr CodeCase kCases[] = {
     {"UnboundCall", "(A () :requires ((*not* {f ?_x})))", "1:28 I021"},
     {"Hiding", "(A () :means ((B) (C)))\n(B () :action ({b}))\n(C () :action ({c}))", "1:15 I022"},
     {"Endless", "(A () :means ((B)))\n(B () :requires ((*not* (A))))", "1:2 I023"},
+    {"Recursion", "(A (?x) :objective ({f ?x}) :means ((A ?x)))", "1:37 I023"},
     {"UnboundSequence", "(A () :means ((S ?_x)))\n(S (?x) :sequence ({f ?x}))", "1:18 I024"},
     {"Effect", "(A () :requires ({store (a b)}))", "1:18 I025"},
     {"Spelling", "(A (?car) :requires ({f ?Car}))", "1:25 I026"},
