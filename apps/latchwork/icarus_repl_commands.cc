@@ -322,8 +322,12 @@ void IcarusRepl::AnswerCommand(const std::string& rest, std::string& out) {
 }
 
 void IcarusRepl::TopCommand(const std::string& rest, std::string& out) {
+  const std::vector<std::string> words = CallWords(rest);
+  const bool named = rest.starts_with('(') && !words.empty() && !words[0].starts_with('*');
   if (rest.empty()) {
     out += debugger_.top() + '\n';
+  } else if (named && debugger_.program().Find(words[0]) == icarus::kNoSkill) {
+    out += UnknownSkill(words[0], debugger_.program());
   } else if (const std::optional<std::string> problem = debugger_.SetTop(rest)) {
     out += *problem + '\n';
   }

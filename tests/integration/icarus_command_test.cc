@@ -252,7 +252,7 @@ TEST_F(IcarusCommandTest, Repl_Session_GivesTheSameAnswersAgain) {
             "  means 1: (Go)  [3:12]\n"
             "(Go)\n"
             "sensor: {range-to car1} = 3.0\n"
-            "(Go) was called; the cycle ended within it; the act chosen is {go}  [3:12]\n"
+            "(Go) was called and acted; the act chosen is {go}  [3:12]\n"
             "2: stop {go} True\n"
             "- (car car1)\n"
             "(Go) was not called\n"
@@ -271,39 +271,38 @@ TEST_F(IcarusCommandTest, Repl_WhyNot_NamesTheClauseAndWhatItFailedOn) {
       "(Ready (?c) :objective ((driver ?c ?p fast) {awake ?p}))\n(Ram (?c) :action ({ram ?c}))\n";
   const CommandResult result =
       Repl(scratch_.path(),
-           "step\nwhy-not Ram\nstep\nwhy-not Ram car1\nwhy-not Rma\nwhy-not\nbreak Ram\nanswer "
+           "step\nwhy-not Ram\nstep\nwhy-not Ram car1\nwhy-not Rams\nwhy-not\nbreak Ram\nanswer "
            "{awake ann} t\nrun\nwhy-not Ram\nwhy\n",
            kProgram,
            "(top (Top))\n(cycle (store (car car1)) (store (driver car1 ann slow)))\n"
            "(cycle (update (driver ? ? ?) (driver car1 ann fast)))\n");
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(
-      result.out,
-      "1: False\n"
-      "(Ram) was not called\n"
-      "  the way to it ends in (Top), whose means calls Ram\n"
-      "    requires: (Ready car1) is False  [1:29]\n"
-      "      objective: (driver car1 ?p fast) is False; the nearest fact is (driver car1 ann "
-      "slow)  [2:26]\n"
-      "      it has no :means to act by\n"
-      "2: False\n"
-      "(Ram car1) was not called\n"
-      "  the way to it ends in (Top), whose means calls Ram\n"
-      "    requires: (Ready car1) is False  [1:29]\n"
-      "      objective: {awake ann} is False: {awake ann} = nil  [2:47]\n"
-      "      it has no :means to act by\n"
-      "there is no skill 'Rma'; did you mean 'Ram'?\n"
-      "why-not SKILL [ARGUMENT ..]\n"
-      "3: start {ram car1}\n"
-      "break: Ram\n"
-      "(Ram car1) was called; the cycle ended within it; the act chosen is {ram car1}  [1:49]\n"
-      "{ram car1}\n"
-      "(Top)\n"
-      "  held: (car car1)  [1:20]\n"
-      "  held: (Ready car1)  [1:29]\n"
-      "  means 1: (Ram car1)  [1:49]\n"
-      "(Ram car1)\n"
-      "sensor: {awake ann} = t\n");
+  EXPECT_EQ(result.out,
+            "1: False\n"
+            "(Ram) was not called\n"
+            "  the way to it ends in (Top), whose means calls Ram\n"
+            "    requires: (Ready car1) is False  [1:29]\n"
+            "      objective: (driver car1 ?p fast) is False; the nearest fact is (driver car1 ann "
+            "slow)  [2:25]\n"
+            "      it has no :means to act by\n"
+            "2: False\n"
+            "(Ram car1) was not called\n"
+            "  the way to it ends in (Top), whose means calls Ram\n"
+            "    requires: (Ready car1) is False  [1:29]\n"
+            "      objective: {awake ann} is False: {awake ann} = nil  [2:45]\n"
+            "      it has no :means to act by\n"
+            "there is no skill 'Rams'; did you mean 'Ram'?\n"
+            "why-not SKILL [ARGUMENT ..]\n"
+            "3: start {ram car1}\n"
+            "break: Ram\n"
+            "(Ram car1) was called and acted; the act chosen is {ram car1}  [1:49]\n"
+            "{ram car1}\n"
+            "(Top)\n"
+            "  held: (car car1)  [1:20]\n"
+            "  held: (Ready car1)  [1:29]\n"
+            "  means 1: (Ram car1)  [1:49]\n"
+            "(Ram car1)\n"
+            "sensor: {awake ann} = t\n");
 }
 
 TEST_F(IcarusCommandTest, Repl_AnyInput_IsSurvived) {

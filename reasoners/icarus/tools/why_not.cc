@@ -114,7 +114,11 @@ class Explainer {
     if (FindEnd(EventKind::kTrue, call.number) != nullptr) {
       Line(indent, call.call + " was called and is True", &call);
     } else if (end == nullptr) {
-      Line(indent, call.call + " was called; the cycle ended within it" + ChosenText(), &call);
+      const bool acted = Find(EventKind::kChosen, 0) != nullptr;
+      Line(indent,
+           call.call + " was called" +
+               (acted ? " and acted" + ChosenText() : "; the cycle ended within it"),
+           &call);
     } else if (end->acted) {
       Line(indent, call.call + " was called and acted" + ChosenText(), &call);
       Dropped(call, *end, indent + 1);
