@@ -11,7 +11,7 @@
 
 #include "latchwork/logic/diagnostic.h"
 #include "reasoners/icarus/language/reader.h"
-#include "reasoners/icarus/tools/explanation.h"
+#include "reasoners/icarus/tools/why.h"
 
 namespace latchwork::app {
 

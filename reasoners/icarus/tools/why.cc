@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "reasoners/icarus/tools/why.h"
+
 #include "reasoners/icarus/tools/body_place.h"
 #include "reasoners/icarus/tools/clause_text.h"
-#include "reasoners/icarus/tools/explanation.h"
 #include "reasoners/icarus/tools/world_script.h"
 
 namespace latchwork::icarus {

@@ -10,7 +10,7 @@
 #include "reasoners/icarus/language/reader.h"
 #include "reasoners/icarus/language/walk.h"
 #include "reasoners/icarus/tools/body_place.h"
-#include "reasoners/icarus/tools/explanation.h"
+#include "reasoners/icarus/tools/why.h"
 
 namespace latchwork::icarus {
 

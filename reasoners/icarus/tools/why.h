@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LATCHWORK_ICARUS_EXPLANATION_H_
-#define LATCHWORK_ICARUS_EXPLANATION_H_
+#ifndef LATCHWORK_ICARUS_WHY_H_
+#define LATCHWORK_ICARUS_WHY_H_
 
 #include <cstdint>
 #include <span>
@@ -36,4 +36,4 @@ std::string WhyNot(const CallPattern& pattern, const CycleRecord& cycle, const P
 
 }  // namespace latchwork::icarus
 
-#endif  // LATCHWORK_ICARUS_EXPLANATION_H_
+#endif  // LATCHWORK_ICARUS_WHY_H_
