@@ -152,7 +152,7 @@ TEST_F(IcarusCommandTest, Trace_Text_IsIndentedWithPlaces) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out.find("cycle 1\n        (Near car1)\n2:15      (Distance car1 ?d)\n"), 0U)
       << result.out;
-  EXPECT_NE(result.out.find("\n3:12    chosen {go}\n1: start {go}\ncycle 2\n"), std::string::npos)
+  EXPECT_NE(result.out.find("\n3:11    chosen {go}\n1: start {go}\ncycle 2\n"), std::string::npos)
       << result.out;
   const CommandResult skills =
       Icarus({"trace", "p.icarus", "--script", "w.world", "--level", "skill"}, kNear);
@@ -249,10 +249,10 @@ TEST_F(IcarusCommandTest, Repl_Session_GivesTheSameAnswersAgain) {
             "{go}\n"
             "(Near car1)\n"
             "  objective False: (Distance car1 ?d) {< ?d 1.0}\n"
-            "  means 1: (Go)  [3:12]\n"
+            "  means 1: (Go)  [3:11]\n"
             "(Go)\n"
             "sensor: {range-to car1} = 3.0\n"
-            "(Go) was called and acted; the act chosen is {go}  [3:12]\n"
+            "(Go) was called and acted; the act chosen is {go}  [3:11]\n"
             "2: stop {go} True\n"
             "- (car car1)\n"
             "(Go) was not called\n"
