@@ -139,37 +139,37 @@ TEST_F(IcarusCommandTest, Run_BadScriptOrUnknownFunction_IsRefused) {
   EXPECT_NE(result.err.find("did you mean {rangeto}?"), std::string::npos) << result.err;
 }
 
-constexpr const char* kNear =
+constexpr const char* kGoNear =
     "(Near (?car)\n  :objective ((Distance ?car ?d) {< ?d 1.0})\n  :means ((Go)))\n"
     "(Distance (?car ?d) :sensor ((bind ?d {range-to ?car})))\n(Go () :action ({go}))\n";
-constexpr const char* kApproach =
+constexpr const char* kGoNearWorld =
     "(top (Near car1))\n(cycle (answer {range-to car1} 3.0) (store (car car1)) (expect {go}))\n"
     "(cycle (answer {range-to car1} 0.5) (forget (car ?)) (expect true))\n(cycle (idle))\n";
 
 TEST_F(IcarusCommandTest, Trace_Text_IsIndentedWithPlaces) {
-  WriteText(scratch_.path() / "w.world", kApproach);
-  const CommandResult result = Icarus({"trace", "p.icarus", "--script", "w.world"}, kNear);
+  WriteText(scratch_.path() / "w.world", kGoNearWorld);
+  const CommandResult result = Icarus({"trace", "p.icarus", "--script", "w.world"}, kGoNear);
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out.find("cycle 1\n        (Near car1)\n2:15      (Distance car1 ?d)\n"), 0U)
       << result.out;
   EXPECT_NE(result.out.find("\n3:11    chosen {go}\n1: start {go}\ncycle 2\n"), std::string::npos)
       << result.out;
   const CommandResult skills =
-      Icarus({"trace", "p.icarus", "--script", "w.world", "--level", "skill"}, kNear);
+      Icarus({"trace", "p.icarus", "--script", "w.world", "--level", "skill"}, kGoNear);
   EXPECT_EQ(skills.out.find("range-to"), std::string::npos) << skills.out;
 }
 
 TEST_F(IcarusCommandTest, Trace_Replayed_IsIdenticalOrNamesTheFirstDifference) {
-  WriteText(scratch_.path() / "w.world", kApproach);
+  WriteText(scratch_.path() / "w.world", kGoNearWorld);
   const CommandResult trace =
-      Icarus({"trace", "p.icarus", "--script", "w.world", "--json", "--acts", "all"}, kNear);
+      Icarus({"trace", "p.icarus", "--script", "w.world", "--json", "--acts", "all"}, kGoNear);
   ASSERT_EQ(trace.exit_code, 0) << trace.err;
   WriteText(scratch_.path() / "t.jsonl", trace.out);
   const std::vector<std::string> replay = {"trace", "--replay", "t.jsonl", "p.icarus"};
-  const CommandResult same = Icarus(replay, "; The same.\n" + std::string(kNear));
+  const CommandResult same = Icarus(replay, "; The same.\n" + std::string(kGoNear));
   EXPECT_EQ(same.exit_code, 0) << same.out << same.err;
   EXPECT_EQ(same.out.find("identical: 3 cycles, "), 0U) << same.out;
-  std::string changed = kNear;
+  std::string changed = kGoNear;
   changed.replace(changed.find("1.0"), 3, "0.1");
   const CommandResult other = Icarus(replay, changed);
   EXPECT_EQ(other.exit_code, 6);
@@ -181,11 +181,11 @@ TEST_F(IcarusCommandTest, Trace_BadTraces_AreRefused) {
   const std::vector<std::string> replay = {"trace", "--replay", "t.jsonl", "p.icarus"};
   for (const char* text : {"", "{}", "nothing", "[1,2]", "{\"kind\":\"trace\"}\n{\"kind\":1}"}) {
     WriteText(scratch_.path() / "t.jsonl", text);
-    const CommandResult result = Icarus(replay, kNear);
+    const CommandResult result = Icarus(replay, kGoNear);
     EXPECT_EQ(result.exit_code, 3) << text;
     EXPECT_EQ(result.err.find("t.jsonl:"), 0U) << result.err;
   }
-  EXPECT_EQ(Icarus({"trace", "p.icarus"}, kNear).exit_code, 2);
+  EXPECT_EQ(Icarus({"trace", "p.icarus"}, kGoNear).exit_code, 2);
 }
 
 TEST_F(IcarusCommandTest, Run_FaultModes_EndTheCycleOrTheRun) {
@@ -196,7 +196,7 @@ TEST_F(IcarusCommandTest, Run_FaultModes_EndTheCycleOrTheRun) {
   const auto with = [&](const char* mode) {
     std::vector<std::string> arguments = run;
     arguments.emplace_back(mode);
-    return Icarus(arguments, kNear);
+    return Icarus(arguments, kGoNear);
   };
   EXPECT_EQ(with("false").out, "1: start {go}\n2: continue {go}\n");
   EXPECT_EQ(with("abort-cycle").out, "1: aborted\n2: start {go}\n");
@@ -206,9 +206,9 @@ TEST_F(IcarusCommandTest, Run_FaultModes_EndTheCycleOrTheRun) {
 }
 
 TEST_F(IcarusCommandTest, Run_Profile_IsATable) {
-  WriteText(scratch_.path() / "w.world", kApproach);
+  WriteText(scratch_.path() / "w.world", kGoNearWorld);
   const CommandResult result =
-      Icarus({"run", "p.icarus", "--script", "w.world", "--profile"}, kNear);
+      Icarus({"run", "p.icarus", "--script", "w.world", "--profile"}, kGoNear);
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.err.find("chosen  skill\n"), std::string::npos) << result.err;
 }
@@ -226,7 +226,7 @@ TEST_F(IcarusCommandTest, Format_Diff_PrintsWhatWouldChange) {
 }
 
 CommandResult Repl(const std::filesystem::path& folder, const std::string& commands,
-                   const std::string& program, const std::string& world = kApproach) {
+                   const std::string& program, const std::string& world = kGoNearWorld) {
   WriteText(folder / "p.icarus", program);
   WriteText(folder / "w.world", world);
   WriteText(folder / "commands", commands);
@@ -239,7 +239,7 @@ TEST_F(IcarusCommandTest, Repl_Session_GivesTheSameAnswersAgain) {
       "top\nwatch (car ?)\nstep\nmemory\nwhy\nwhy-not Go\nstep\nwhy-not Go\nanswer {range-to "
       "car1} 7\nstep 2\nbreak fact (seen ?)\nstore (seen it)\nmemory (seen ?)\nupdate (seen ?) "
       "(seen that)\nforget (car ?)\nmemory\nbreak\nquit\nstep\n",
-      kNear);
+      kGoNear);
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out,
             "(Near car1)\n"
@@ -312,7 +312,7 @@ TEST_F(IcarusCommandTest, Repl_AnyInput_IsSurvived) {
       "trace maybe\nreload\nfoo\nsetp\n\n   \n";
   commands += std::string(100'000, '(') + "\n" + std::string("step\0\1\2\xff\n", 10) +
               "memory (((\nstep 2\ntrace\nhelp";
-  const CommandResult result = Repl(scratch_.path(), commands, kNear);
+  const CommandResult result = Repl(scratch_.path(), commands, kGoNear);
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find("did you mean 'step'?"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("\n1: start {go}\n2: stop {go} True\n"), std::string::npos)
@@ -320,10 +320,10 @@ TEST_F(IcarusCommandTest, Repl_AnyInput_IsSurvived) {
 }
 
 TEST_F(IcarusCommandTest, Repl_Reload_KeepsMemoryOrTheOldProgram) {
-  WriteText(scratch_.path() / "p.icarus", kNear);
-  WriteText(scratch_.path() / "w.world", kApproach);
+  WriteText(scratch_.path() / "p.icarus", kGoNear);
+  WriteText(scratch_.path() / "w.world", kGoNearWorld);
   WriteText(scratch_.path() / "bad.icarus", kBad);
-  WriteText(scratch_.path() / "good.icarus", std::string(kNear) + "(Turn () :action ({turn}))\n");
+  WriteText(scratch_.path() / "good.icarus", std::string(kGoNear) + "(Turn () :action ({turn}))\n");
   const CommandResult result = RunShell(
       "mkfifo commands && { latchwork icarus repl p.icarus --script w.world < commands > out & }\n"
       "exec 3> commands\n"

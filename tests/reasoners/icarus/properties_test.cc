@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -157,6 +158,48 @@ TEST(IcarusPropertiesTest, Lazy_GivesTheSameActAsFull) {
         const Trace full = Interpret(program, Options(ActMode::kFirst), seed);
         const Trace lazy = Interpret(program, Options(ActMode::kFirst, true), seed);
         ASSERT_EQ(lazy.acts, full.acts) << text;
+      });
+}
+
+/// One cycle in words: acts, environments, faults and the memory after it.
+std::string CycleText(Interpreter& interpreter, std::size_t top, const NamePool& names) {
+  const CycleResult& result = interpreter.Cycle(top);
+  std::string text;
+  for (const Act& act : result.acts) text += (act.started ? "+" : "=") + ToString(act, names);
+  for (const Act& act : result.stopped) text += "-" + ToString(act, names);
+  text += ' ' + std::to_string(result.environments) + ' ' + std::to_string(result.fault_count) +
+          ' ' + std::to_string(result.clauses) + ' ' +
+          std::to_string(interpreter.sequence_states());
+  for (const auto* fact = interpreter.memory().First(); fact != nullptr; fact = fact->next) {
+    if (fact->died == 0) text += ToString(fact->value, names);
+  }
+  return text;
+}
+
+TEST(IcarusPropertiesTest, Cycle_DependsOnProgramMemorySequencesAndAnswersOnly) {
+  ForRandomPrograms(
+      2000, {},
+      [](const std::string& text, const Program& program, std::uint64_t seed, Trace& /*all*/) {
+        NamePool names;
+        HashedWorld world;
+        Findings findings;
+        const RunOptions options = Options(seed % 2 == 0 ? ActMode::kFirst : ActMode::kAll);
+        Interpreter one(program, world, names, options);
+        Interpreter two(program, world, names, options);
+        Interpreter other(program, world, names, options);
+        const std::size_t top = one.AddTop("(s0)", findings);
+        two.AddTop("(s0)", findings);
+        other.AddTop("(s0)", findings);
+        for (std::uint64_t cycle = 0; cycle < 2; ++cycle) {
+          world.world = seed + cycle;
+          ASSERT_EQ(CycleText(one, top, names), CycleText(two, top, names)) << text;
+        }
+        // No history, but now the same memory and the same states of sequences.
+        other.TakeOver(two, std::numeric_limits<std::size_t>::max());
+        for (std::uint64_t cycle = 2; cycle < kCycles; ++cycle) {
+          world.world = seed + cycle;
+          ASSERT_EQ(CycleText(one, top, names), CycleText(other, top, names)) << text;
+        }
       });
 }
 
