@@ -11,6 +11,7 @@
 
 #include "tests/reasoners/icarus/allocations.h"
 #include "tests/reasoners/icarus/script_run.h"
+#include "tests/reasoners/icarus/trees.h"
 
 namespace latchwork::icarus::testing {
 namespace {
@@ -226,6 +227,20 @@ TEST(IcarusInterpreterTest, WarmCycle_AllocatesNothing) {
   for (int i = 0; i < 50; ++i) acts += odd.interpreter.Cycle(odd.top).acts.size();
   EXPECT_EQ(Allocations(), before);
   EXPECT_EQ(acts, 50U);
+}
+
+TEST(IcarusInterpreterTest, WarmCycleOfATree_AllocatesNothing) {
+  for (const std::string& text : {FlatTree(1000), LevelTree(200, true), ManyFacts(300, 100)}) {
+    for (const ActMode mode : {ActMode::kFirst, ActMode::kAll, ActMode::kValue}) {
+      RunOptions options;
+      options.acts = mode;
+      TreeRun run(text, options);
+      for (int i = 0; i < 3; ++i) ASSERT_EQ(run.Cycle().acts.size(), 1U);
+      const std::size_t before = test::Allocations();
+      for (int i = 0; i < 10; ++i) run.Cycle();
+      EXPECT_EQ(test::Allocations(), before);
+    }
+  }
 }
 
 }  // namespace
