@@ -11,7 +11,7 @@ constexpr Severity kError = Severity::kError;
 constexpr Severity kWarning = Severity::kWarning;
 
 /// In the order of Code. A name, once published, keeps its meaning.
-constexpr std::array<CodeInfo, 32> kCodes = {{
+constexpr std::array<CodeInfo, 33> kCodes = {{
     {"I001", kError,
      "A bracket is missing, superfluous or of the wrong kind. Lists stand in ( ), calls of host "
      "functions in { }."},
@@ -94,6 +94,11 @@ constexpr std::array<CodeInfo, 32> kCodes = {{
      "In a layer it is known which facts memory may hold: those of the contract, the parameters "
      "and what the program stores. The clause is neither a match of one of them nor the call of "
      "a skill."},
+    {"I033", kError,
+     "A file of plans holds (teleo-reactive Name (?x ...) (goal condition ...) (when condition ... "
+     "do {act} ... (when ...) ...) ...) and (universal-plan Name (?x ...) (achieve condition ... "
+     "(by {act} ... (if condition ...) (achieve ...) ...) ...)); conditions are {function ...}, "
+     "(fact ...) and (not condition)."},
 }};
 
 }  // namespace

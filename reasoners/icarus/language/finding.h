@@ -49,6 +49,7 @@ enum class Code : std::uint8_t {
   kTop,
   kFactArguments,
   kNoSuchFact,
+  kReactivePlan,
 };
 
 enum class Severity : std::uint8_t { kError, kWarning };
