@@ -3,6 +3,8 @@
 // `latchwork icarus` as it is used: exit codes, and what goes to which stream.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -335,6 +337,28 @@ TEST_F(IcarusCommandTest, Repl_Reload_KeepsMemoryOrTheOldProgram) {
             "1: start {go}\nthe old program goes on\n4 skills\n(car car1)\n2: stop {go} True\n")
       << result.err;
   EXPECT_NE(result.err.find("p.icarus:1:8: error[I006]"), std::string::npos) << result.err;
+}
+
+TEST_F(IcarusCommandTest, Translate_TreesAndPlans_ActAsTheirExamplesSay) {
+  const std::filesystem::path examples =
+      std::filesystem::path(LATCHWORK_SOURCE_DIR) / "examples" / "icarus" / "plans";
+  for (const char* file : {"collide.tree", "collide.plan"}) {
+    const CommandResult program =
+        RunLatchwork({"icarus", "translate", (examples / file).string()}, scratch_.path());
+    ASSERT_EQ(program.exit_code, 0) << program.err;
+    const CommandResult run =
+        Icarus({"run", "p.icarus", "--script", (examples / "collide.world").string()}, program.out);
+    EXPECT_EQ(run.exit_code, 0) << file << run.out << run.err;
+    EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 8);
+  }
+}
+
+TEST_F(IcarusCommandTest, Translate_Mistakes_AreReported) {
+  const CommandResult result =
+      Icarus({"translate", "p.icarus"}, "(teleo-reactive Go () (when {far} to {go}))\n");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.out, "");
+  EXPECT_NE(result.err.find("p.icarus:1:24: error[I040]"), std::string::npos) << result.err;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ constexpr Severity kError = Severity::kError;
 constexpr Severity kWarning = Severity::kWarning;
 
 /// In the order of Code. A name, once published, keeps its meaning.
-constexpr std::array<CodeInfo, 33> kCodes = {{
+constexpr std::array<CodeInfo, 34> kCodes = {{
     {"I001", kError,
      "A bracket is missing, superfluous or of the wrong kind. Lists stand in ( ), calls of host "
      "functions in { }."},
@@ -99,6 +99,9 @@ constexpr std::array<CodeInfo, 33> kCodes = {{
      "do {act} ... (when ...) ...) ...) and (universal-plan Name (?x ...) (achieve condition ... "
      "(by {act} ... (if condition ...) (achieve ...) ...) ...)); conditions are {function ...}, "
      "(fact ...) and (not condition)."},
+    {"I034", kError,
+     "A file of learned values holds (value (Skill argument ...) estimate times), for skills of the "
+     "program and as many arguments as they have parameters."},
 }};
 
 }  // namespace

@@ -50,6 +50,7 @@ enum class Code : std::uint8_t {
   kFactArguments,
   kNoSuchFact,
   kReactivePlan,
+  kValues,
 };
 
 enum class Severity : std::uint8_t { kError, kWarning };

@@ -188,6 +188,8 @@ const CycleResult& Interpreter::Cycle(std::size_t top, const CycleLimits& limits
   return result;
 }
 
+void Interpreter::SetValues(ValueSource* values) { implementation_->machine.SetValues(values); }
+
 void Interpreter::SetSink(EventSink* sink) { implementation_->machine.SetSink(sink); }
 
 std::size_t Interpreter::AddQuery(Skill query) {

@@ -19,6 +19,7 @@
 #include "reasoners/icarus/machine/fact_store.h"
 #include "reasoners/icarus/machine/host.h"
 #include "reasoners/icarus/machine/value.h"
+#include "reasoners/icarus/machine/value_source.h"
 
 namespace latchwork::icarus {
 
@@ -141,6 +142,8 @@ class Interpreter {
   const CycleResult& Cycle(std::size_t top, const CycleLimits& limits);
   /// Who is told what happens in the cycles to come; null: nobody, which costs nothing.
   void SetSink(EventSink* sink);
+  /// What gives a value to the skills without a :value; null: nothing.
+  void SetValues(ValueSource* values);
   /// Number of the last cycle; the first is 1.
   std::uint64_t cycle() const;
 

@@ -14,7 +14,11 @@ Machine::Machine(const CompiledProgram& code, const Program& program, Host& host
       options_(options),
       names_(names),
       memory_(memory),
-      true_(Value::Symbol(names.Intern("t"))) {}
+      true_(Value::Symbol(names.Intern("t"))) {
+  for (const Signature& function : host.functions()) {
+    changes_memory_.push_back(function.changes_memory);
+  }
+}
 
 void Machine::Run(Address entry, std::uint32_t variables, std::uint64_t cycle,
                   const CycleLimits& limits) {
@@ -258,8 +262,8 @@ bool Machine::Call(const Instruction& instruction) {
   base_ = base;
   pc_ = skill.entry;
   if (traced()) TraceCall(instruction, caller);
-  if (options_.acts == ActMode::kValue && skill.has_value) {
-    const Value value = Evaluate(code_.terms[skill.value], base);
+  if (options_.acts == ActMode::kValue && (skill.has_value || learned_ != nullptr)) {
+    const Value value = ValueOfSkill(instruction.a, base);
     scopes_[index].has_value = value.is_number();
     scopes_[index].value = value.is_number() ? value.number() : 0;
   }

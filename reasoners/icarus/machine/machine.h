@@ -18,6 +18,7 @@
 #include "reasoners/icarus/machine/sensor_cache.h"
 #include "reasoners/icarus/machine/sequence_states.h"
 #include "reasoners/icarus/machine/value.h"
+#include "reasoners/icarus/machine/value_source.h"
 
 namespace latchwork::icarus {
 
@@ -61,6 +62,7 @@ class Machine {
   /// Takes effect with the next Run.
   void SetSink(EventSink* sink) { sink_ = sink; }
   EventSink* sink() const { return sink_; }
+  void SetValues(ValueSource* values) { learned_ = values; }
 
  private:
   static constexpr std::size_t kMostFaults = 16;
@@ -154,6 +156,7 @@ class Machine {
   void AcceptAtTop(FoundAct* act);
   bool AfterCall(const Choice& choice);
   const std::uint32_t* BestMeans(const Instruction& instruction, std::uint32_t count);
+  Value ValueOfSkill(std::uint32_t index, Index base);
   double ValueOfBranch(const Branch& branch);
 
   // machine_terms.cc
@@ -205,6 +208,7 @@ class Machine {
   FactStore& memory_;
   SequenceStates sequences_;
   SensorCache cache_;
+  std::vector<bool> changes_memory_;  ///< Of the functions of the host.
   Arena arena_;
   Value true_;
 
@@ -235,6 +239,7 @@ class Machine {
   FormId clause_form_ = kNoForm;
   bool call_ends_ = false;  ///< The end of every call is to be seen.
 
+  ValueSource* learned_ = nullptr;
   EventSink* sink_ = nullptr;
   std::uint32_t events_ = 0;
   const FactStore::Fact* matched_ = nullptr;

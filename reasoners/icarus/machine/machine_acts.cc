@@ -138,8 +138,16 @@ bool Machine::AfterCall(const Choice& choice) {
   return false;
 }
 
+/// By its :value, else by what is learned; none: it has no value.
+Value Machine::ValueOfSkill(std::uint32_t index, Index base) {
+  const SkillCode& skill = code_.skills[index];
+  if (skill.has_value) return Evaluate(code_.terms[skill.value], base);
+  if (learned_ == nullptr || skill.type == SkillType::kSensor) return {};
+  return Value::Real(learned_->ValueOf(index, {frames_.data() + base, skill.parameters}));
+}
+
 double Machine::ValueOfBranch(const Branch& branch) {
-  if (branch.skill == kNoSkill || !code_.skills[branch.skill].has_value) return kNoValue;
+  if (branch.skill == kNoSkill) return kNoValue;
   const SkillCode& skill = code_.skills[branch.skill];
   const Index top = frames_top_;
   const Index base = PushFrame(skill.variables);
@@ -147,7 +155,7 @@ double Machine::ValueOfBranch(const Branch& branch) {
     const Value argument = Evaluate(code_.terms[branch.first + i], base_);
     frames_[base + i] = argument;
   }
-  const Value value = Evaluate(code_.terms[skill.value], base);
+  const Value value = ValueOfSkill(branch.skill, base);
   frames_top_ = top;
   return value.is_number() ? value.number() : kNoValue;
 }

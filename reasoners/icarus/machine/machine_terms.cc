@@ -195,20 +195,16 @@ Value Machine::AskHost(const CallCode& call, std::span<const Value> arguments) {
 }
 
 Value Machine::CallHost(const CallCode& call, std::span<const Value> arguments) {
-  const bool cached = !host_.functions()[call.function].changes_memory;
-  if (cached) {
-    const Value* const known = cache_.Find(call.function, arguments);
-    if (known != nullptr) {
-      if (traced()) TraceHost(EventKind::kKnown, call, arguments, *known);
-      return *known;
-    }
+  if (changes_memory_[call.function]) return AskHost(call, arguments);
+  const SensorCache::Slot slot = cache_.Find(call.function, arguments);
+  if (slot.answer != nullptr) {
+    if (traced()) TraceHost(EventKind::kKnown, call, arguments, *slot.answer);
+    return *slot.answer;
   }
-  const Value answer = AskHost(call, arguments);
-  if (cached) {
-    const std::span<Value> copy = arena_.MakeValues(arguments.size());
-    std::copy(arguments.begin(), arguments.end(), copy.begin());
-    cache_.Keep(call.function, copy, answer);
-  }
+  const std::span<Value> copy = arena_.MakeValues(arguments.size());
+  std::copy(arguments.begin(), arguments.end(), copy.begin());
+  const Value answer = AskHost(call, copy);
+  cache_.Keep(slot, call.function, copy, answer);
   return answer;
 }
 

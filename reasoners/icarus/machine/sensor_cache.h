@@ -23,18 +23,25 @@ class SensorCache {
     used_ = 0;
   }
 
-  /// The answer that was kept for this call; null when there is none.
-  const Value* Find(std::uint32_t function, std::span<const Value> arguments) {
-    const Entry& entry = entries_[Place(function, arguments, Mix(function, arguments))];
-    return entry.generation == generation_ ? &entry.answer : nullptr;
+  /// Where the answer to a call is, or is to be kept.
+  struct Slot {
+    std::size_t at;
+    std::uint64_t hash;
+    const Value* answer;  ///< Null: none is kept.
+  };
+
+  Slot Find(std::uint32_t function, std::span<const Value> arguments) const {
+    const std::uint64_t hash = Mix(function, arguments);
+    const std::size_t at = Place(function, arguments, hash);
+    const Entry& entry = entries_[at];
+    return {at, hash, entry.generation == generation_ ? &entry.answer : nullptr};
   }
 
-  /// Keeps an answer; `arguments` must stay until Clear.
-  void Keep(std::uint32_t function, std::span<const Value> arguments, const Value& answer) {
-    if (used_ * 2 >= entries_.size()) Grow();
-    const std::uint64_t hash = Mix(function, arguments);
-    entries_[Place(function, arguments, hash)] = {generation_, hash, function, arguments, answer};
-    ++used_;
+  /// Keeps an answer in the slot that Find gave last; `arguments` must stay until Clear.
+  void Keep(const Slot& slot, std::uint32_t function, std::span<const Value> arguments,
+            const Value& answer) {
+    entries_[slot.at] = {generation_, slot.hash, function, arguments, answer};
+    if (++used_ * 2 > entries_.size()) Grow();
   }
 
  private:

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reasoners/icarus/learning/value_learner.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "reasoners/icarus/language/reader.h"
+
+namespace latchwork::icarus {
+
+namespace {
+
+constexpr double kLargest = 1e15;  // beyond this not every whole number is a double
+
+std::string NumberText(double number) {
+  std::array<char, 40> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
+  return {buffer.data(), end};
+}
+
+}  // namespace
+
+ValueLearner::ValueLearner(const Program& program, NamePool& names, const LearningOptions& options)
+    : program_(program), names_(names), options_(options), stream_(options.seed, "icarus.values") {}
+
+void ValueLearner::SetSeed(std::uint64_t seed) {
+  stream_ = sdk::RandomStream(seed, "icarus.values");
+  cycle_ = 0;
+}
+
+/// Reals are told apart by the whole numbers that they are next to.
+Value ValueLearner::Feature(const Value& argument) {
+  if (argument.kind != ValueKind::kReal) return argument;
+  const double bounded = std::clamp(argument.real, -kLargest, kLargest);
+  return Value::Integer(std::llround(bounded));
+}
+
+std::uint64_t ValueLearner::HashOf(std::uint32_t skill, std::span<const Value> arguments) {
+  std::uint64_t hash = skill + 1;
+  for (const Value& argument : arguments) {
+    hash = (hash ^ Hash(Feature(argument))) * 0x9e3779b97f4a7c15ULL;
+    hash ^= hash >> 31U;
+  }
+  return hash;
+}
+
+std::size_t ValueLearner::Find(std::uint32_t skill, std::span<const Value> arguments,
+                               std::uint64_t hash) const {
+  const auto [first, last] = places_.equal_range(hash);
+  for (auto at = first; at != last; ++at) {
+    const Estimate& known = estimates_[at->second];
+    const bool same = known.skill == skill &&
+                      std::equal(known.arguments.begin(), known.arguments.end(), arguments.begin(),
+                                 arguments.end(), [](const Value& a, const Value& b) {
+                                   return Equal(a, Feature(b));
+                                 });
+    if (same) return at->second;
+  }
+  return estimates_.size();
+}
+
+std::size_t ValueLearner::FindOrMake(std::uint32_t skill, std::span<const Value> arguments) {
+  const std::uint64_t hash = HashOf(skill, arguments);
+  const std::size_t known = Find(skill, arguments, hash);
+  if (known < estimates_.size()) return known;
+  Estimate estimate;
+  estimate.skill = skill;
+  for (const Value& argument : arguments) {
+    estimate.arguments.push_back(arena_.Copy(Feature(argument)));
+  }
+  estimate.hash = hash;
+  estimate.value = options_.initial;
+  places_.emplace(hash, estimates_.size());
+  estimates_.push_back(std::move(estimate));
+  return estimates_.size() - 1;
+}
+
+double ValueLearner::ValueOf(std::uint32_t skill, std::span<const Value> arguments) {
+  const std::uint64_t hash = HashOf(skill, arguments);
+  if (exploring_) return stream_.Uniform(cycle_ / options_.hold, hash);
+  const std::size_t known = Find(skill, arguments, hash);
+  return known < estimates_.size() ? estimates_[known].value : options_.initial;
+}
+
+void ValueLearner::BeginCycle() {
+  ++cycle_;
+  exploring_ = learning_ && stream_.Uniform(cycle_ / options_.hold, 0) < options_.exploration;
+}
+
+void ValueLearner::Choose(const Act* act) {
+  if (!learning_) return;
+  Step step;
+  for (const PathSkill* at = act == nullptr ? nullptr : act->path; at != nullptr; at = at->caller) {
+    step.path.push_back(FindOrMake(at->skill, at->arguments));
+  }
+  steps_.push_back(std::move(step));
+  if (steps_.size() > std::max<std::size_t>(options_.window, 1)) Learn(false);
+}
+
+void ValueLearner::Reward(double reward) {
+  if (!steps_.empty() && std::isfinite(reward)) steps_.back().reward += reward;
+}
+
+void ValueLearner::EndEpisode() { Learn(true); }
+
+/// The estimate that stands for all that follows: of the skill that acts.
+double ValueLearner::ValueAfter(const Step& step) const {
+  return step.path.empty() ? options_.initial : estimates_[step.path.front()].value;
+}
+
+/// Backwards, so that what came late is credited to what came first; unless the episode has ended
+/// the last step has no reward yet, and stays.
+void ValueLearner::Learn(bool ended) {
+  if (steps_.empty()) return;
+  Step last = std::move(steps_.back());
+  double target = ended ? 0 : ValueAfter(last);
+  double after = target;
+  if (ended) {
+    steps_.back() = std::move(last);
+  } else {
+    steps_.pop_back();
+  }
+  for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
+    const double mixed = (1 - options_.trace) * after + options_.trace * target;
+    target = step->reward + options_.discount * mixed;
+    after = ValueAfter(*step);
+    for (const std::size_t estimate : step->path) MoveTowards(estimate, target);
+  }
+  steps_.clear();
+  if (!ended) steps_.push_back(std::move(last));
+}
+
+void ValueLearner::MoveTowards(std::size_t estimate, double target) {
+  Estimate& at = estimates_[estimate];
+  ++at.times;
+  const double rate = std::max(options_.rate, 1.0 / static_cast<double>(at.times));
+  at.value += rate * (target - at.value);
+}
+
+std::string ValueLearner::Write() const {
+  std::vector<std::string> lines;
+  for (const Estimate& at : estimates_) {
+    std::string line = "(value (" + program_.skills[at.skill].spelling;
+    for (const Value& argument : at.arguments) line += ' ' + ToString(argument, names_);
+    lines.push_back(line + ") " + NumberText(at.value) + ' ' + std::to_string(at.times) + ")\n");
+  }
+  std::sort(lines.begin(), lines.end());
+  std::string text;
+  for (const std::string& line : lines) text += line;
+  return text;
+}
+
+bool ValueLearner::ReadArgument(const SourceTree& tree, FormId form, Value& argument) {
+  switch (tree.kind(form)) {
+    case FormKind::kVariable:
+      return true;
+    case FormKind::kInteger:
+      argument = Value::Integer(tree.at(form).integer);
+      return true;
+    case FormKind::kString:
+      argument = Value::String(names_.Intern(tree.Unquoted(form)));
+      return true;
+    case FormKind::kSymbol:
+      argument = Value::Symbol(names_.Intern(tree.Folded(form)));
+      return true;
+    case FormKind::kList: {
+      std::vector<Value> items;
+      for (const FormId child : tree.Children(form)) {
+        if (!ReadArgument(tree, child, items.emplace_back())) return false;
+      }
+      argument = arena_.MakeList(items);
+      return !argument.is_none();
+    }
+    default:
+      return false;
+  }
+}
+
+bool ValueLearner::ReadLine(const SourceTree& tree, FormId form) {
+  const std::vector<FormId> parts = tree.Children(form);
+  const auto is_number = [&](FormId f) {
+    return tree.kind(f) == FormKind::kInteger || tree.kind(f) == FormKind::kReal;
+  };
+  if (tree.kind(form) != FormKind::kList || parts.size() != 4 || tree.Folded(parts[0]) != "value" ||
+      tree.kind(parts[1]) != FormKind::kList || tree.at(parts[1]).first_child == kNoForm ||
+      !is_number(parts[2]) || tree.kind(parts[3]) != FormKind::kInteger ||
+      tree.at(parts[3]).integer < 0) {
+    return false;
+  }
+  const std::vector<FormId> call = tree.Children(parts[1]);
+  const std::uint32_t skill = program_.Find(tree.Text(call[0]));
+  if (skill == kNoSkill || program_.skills[skill].parameters != call.size() - 1) return false;
+  std::vector<Value> arguments(call.size() - 1);
+  for (std::size_t i = 1; i < call.size(); ++i) {
+    if (!ReadArgument(tree, call[i], arguments[i - 1])) return false;
+  }
+  const Form& value = tree.at(parts[2]);
+  Estimate& estimate = estimates_[FindOrMake(skill, arguments)];
+  estimate.value = value.kind == FormKind::kReal ? value.real : static_cast<double>(value.integer);
+  estimate.times = static_cast<std::uint64_t>(tree.at(parts[3]).integer);
+  return true;
+}
+
+void ValueLearner::Read(std::string text, std::string file, Findings& findings) {
+  const SourceTree tree = ReadForms(std::move(text), std::move(file), findings);
+  Reporter reporter(tree, findings);
+  for (const FormId root : tree.roots) {
+    if (ReadLine(tree, root)) continue;
+    reporter.Add(Code::kValues, root, "this is no value of a skill of the program",
+                 "(value (Skill argument ...) estimate times)");
+  }
+}
+
+}  // namespace latchwork::icarus
