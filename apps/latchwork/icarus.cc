@@ -61,6 +61,7 @@ void AddIcarus(CLI::App& app, Context& context) {
   AddIcarusRun(*command, context);
   AddIcarusTrace(*command, context);
   AddIcarusRepl(*command, context);
+  AddIcarusLearn(*command, context);
   AddIcarusRecognise(*command, context);
   AddIcarusTranslate(*command, context);
 }

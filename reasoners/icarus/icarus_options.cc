@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "reasoners/icarus/learning/layer_learning.h"
+
 namespace latchwork::icarus {
 namespace {
 
@@ -27,21 +29,24 @@ sdk::ParameterSpec Flag(std::string name, std::string help) {
 }
 
 std::vector<sdk::ParameterSpec> MakeOptions() {
-  return {Choice("acts", {"first", "all", "value"}, "the acts that leave a skill"),
-          Choice("expand", {"all", "first", "best"}, "the means that are asked"),
-          {.name = "means",
-           .type = sdk::ParameterType::kInteger,
-           .default_value = "1",
-           .minimum = 1,
-           .maximum = 1e6,
-           .unit = "",
-           .help = "how many means are asked, where not all are",
-           .choices = {}},
-          Flag("restart", "a finished sequence starts again"),
-          Flag("full", "a cycle goes on after its first act"),
-          Choice("faults", {"false", "abort-cycle", "stop"},
-                 "what a fault does: its clause is False; the cycle fails; that cycle and all "
-                 "after it fail")};
+  std::vector<sdk::ParameterSpec> options = {
+      Choice("acts", {"first", "all", "value"}, "the acts that leave a skill"),
+      Choice("expand", {"all", "first", "best"}, "the means that are asked"),
+      {.name = "means",
+       .type = sdk::ParameterType::kInteger,
+       .default_value = "1",
+       .minimum = 1,
+       .maximum = 1e6,
+       .unit = "",
+       .help = "how many means are asked, where not all are",
+       .choices = {}},
+      Flag("restart", "a finished sequence starts again"),
+      Flag("full", "a cycle goes on after its first act"),
+      Choice("faults", {"false", "abort-cycle", "stop"},
+             "what a fault does: its clause is False; the cycle fails; that cycle and all "
+             "after it fail")};
+  for (sdk::ParameterSpec& of : LayerLearning::Parameters()) options.push_back(std::move(of));
+  return options;
 }
 
 }  // namespace

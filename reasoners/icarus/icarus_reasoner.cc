@@ -29,6 +29,7 @@ logic::Diagnostics IcarusReasoner::Load(const sdk::Body& body, const sdk::Parame
                                         logic::SymbolTable& symbols) {
   body_ = body;
   options_ = OptionsFrom(parameters);
+  learning_ = std::make_unique<LayerLearning>(parameters);
   bridge_ = std::make_unique<TermBridge>(symbols, names_);
   for (const logic::Fact& fact : body_.facts) bridge_->Import(fact.predicate());
   goal_names_.clear();
@@ -52,6 +53,9 @@ logic::Diagnostics IcarusReasoner::Load(const sdk::Body& body, const sdk::Parame
     diagnostics.push_back(Problem(body_.files.empty() ? "" : body_.files[0].string(),
                                   "the parameters do not get into memory", ""));
   }
+  const logic::Diagnostics values =
+      learning_->Serve(loaded_.file->program, names_, *loaded_.interpreter);
+  diagnostics.insert(diagnostics.end(), values.begin(), values.end());
   return diagnostics;
 }
 
@@ -91,6 +95,7 @@ void IcarusReasoner::Adopt(Loaded loaded, std::size_t first_fact) {
   Loaded before = std::move(loaded_);
   loaded_ = std::move(loaded);
   host_->Serve(*loaded_.interpreter, loaded_.file->program);
+  learning_->Serve(loaded_.file->program, names_, *loaded_.interpreter);
   stopped_.clear();
   conclusions_ = 0;
   last_ = nullptr;
@@ -176,7 +181,9 @@ void IcarusReasoner::Decide(std::span<const sdk::Latch> latches, const sdk::Budg
   limits_.clauses = budget.inferences;
   limits_.cancelled = budget.cancelled;
   limits_.deadline = budget.deadline;
+  learning_->Before(latches);
   const CycleResult& result = loaded_.interpreter->Cycle(loaded_.top, limits_);
+  learning_->After(result);
   limits_.cancelled = nullptr;
   limits_.deadline.reset();
   last_ = &result;

@@ -14,6 +14,7 @@
 #include "reasoners/icarus/body/latch_facts.h"
 #include "reasoners/icarus/body/term_bridge.h"
 #include "reasoners/icarus/language/program_text.h"
+#include "reasoners/icarus/learning/layer_learning.h"
 #include "reasoners/icarus/machine/interpreter.h"
 
 namespace latchwork::icarus {
@@ -91,6 +92,7 @@ class IcarusReasoner final : public sdk::Reasoner {
   std::string problem_;  ///< The first thing that went wrong outside of the program.
   std::string stopped_;  ///< The fault that stopped the program for good.
   const CycleResult* last_ = nullptr;
+  std::unique_ptr<LayerLearning> learning_;  ///< Refers to what is above it.
 };
 
 }  // namespace latchwork::icarus

@@ -108,7 +108,6 @@ bool Machine::PassSkill(Index index, FoundAct* act) {
       dropped = act;
       break;
     case ActMode::kValue:
-      if (scope.has_value) act->value = scope.value;
       dropped = act;
       if (first || act->value > scope.first_act->value) std::swap(dropped, scope.first_act);
       break;
@@ -131,10 +130,13 @@ void Machine::AcceptAtTop(FoundAct* act) {
   if (options_.acts == ActMode::kFirst && options_.lazy && !code_.has_sequences) stopped_ = true;
 }
 
-/// The call has come to its end: its best act goes on.
+/// The call has come to its end: its best act goes on, with the value of the skill, if it has one.
 bool Machine::AfterCall(const Choice& choice) {
-  FoundAct* const best = scopes_[choice.scopes - 1].first_act;
-  if (best != nullptr) Emit(scope_, best);
+  const Scope& ended = scopes_[choice.scopes - 1];
+  FoundAct* const best = ended.first_act;
+  if (best == nullptr) return false;
+  if (ended.has_value) best->value = ended.value;
+  Emit(scope_, best);
   return false;
 }
 

@@ -155,7 +155,6 @@ void Reference::Call(const Clause& clause, const Environment& environment, const
   Body(clause.skill, frame, [&](const Outcome& o) {
     if (o.is_act) {
       kept.push_back(o);
-      if (own) kept.back().value = *own;
       const bool passes =
           options_.acts == ActMode::kAll || (options_.acts == ActMode::kFirst && kept.size() == 1);
       const std::uint32_t inner = depth_--;
@@ -177,8 +176,11 @@ void Reference::Call(const Clause& clause, const Environment& environment, const
   });
   --depth_;
   if (options_.acts != ActMode::kValue || kept.empty()) return;
-  emit(*std::max_element(kept.begin(), kept.end(),
-                         [](const Outcome& a, const Outcome& b) { return a.value < b.value; }));
+  Outcome best =
+      *std::max_element(kept.begin(), kept.end(),
+                        [](const Outcome& a, const Outcome& b) { return a.value < b.value; });
+  if (own) best.value = *own;
+  emit(best);
 }
 
 void Reference::Body(std::uint32_t index, const Environment& frame, const Emit& emit) {
