@@ -106,9 +106,13 @@ void ValueLearner::Reward(double reward) {
 
 void ValueLearner::EndEpisode() { Learn(true); }
 
-/// The estimate that stands for all that follows: of the skill that acts.
+/// The estimate that stands for all that follows: of the skill on the path that was met least
+/// often, whose parameters say most about the situation.
 double ValueLearner::ValueAfter(const Step& step) const {
-  return step.path.empty() ? options_.initial : estimates_[step.path.front()].value;
+  const auto rarest = std::min_element(
+      step.path.begin(), step.path.end(),
+      [&](std::size_t a, std::size_t b) { return estimates_[a].times < estimates_[b].times; });
+  return rarest == step.path.end() ? options_.initial : estimates_[*rarest].value;
 }
 
 /// Backwards, so that what came late is credited to what came first; unless the episode has ended
