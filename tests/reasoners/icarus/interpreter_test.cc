@@ -236,9 +236,9 @@ TEST(IcarusInterpreterTest, WarmCycleOfATree_AllocatesNothing) {
       options.acts = mode;
       TreeRun run(text, options);
       for (int i = 0; i < 3; ++i) ASSERT_EQ(run.Cycle().acts.size(), 1U);
-      const std::size_t before = test::Allocations();
+      const std::size_t before = Allocations();
       for (int i = 0; i < 10; ++i) run.Cycle();
-      EXPECT_EQ(test::Allocations(), before);
+      EXPECT_EQ(Allocations(), before);
     }
   }
 }
