@@ -192,7 +192,7 @@ TEST(IcarusFindingTest, Codes_AreNumberedAndExplained) {
     EXPECT_TRUE(names.insert(info.name).second) << info.name;
   }
   EXPECT_EQ(*names.begin(), "I001");
-  EXPECT_EQ(names.size(), 32U);
+  EXPECT_EQ(names.size(), 34U);
   EXPECT_EQ(Info(Code::kUnknownFunction).name, "I028");
 }
 
