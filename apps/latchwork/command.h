@@ -34,6 +34,7 @@ void AddRun(CLI::App& app, Context& context);
 void AddCheck(CLI::App& app, Context& context);
 void AddProve(CLI::App& app, Context& context);
 void AddCheckProof(CLI::App& app, Context& context);
+void AddEntail(CLI::App& app, Context& context);
 void AddReplay(CLI::App& app, Context& context);
 void AddIcarus(CLI::App& app, Context& context);
 void AddPlugin(CLI::App& app, Context& context);

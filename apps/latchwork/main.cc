@@ -68,6 +68,7 @@ int Main(int argc, char** argv) {
   AddCheck(app, context);
   AddProve(app, context);
   AddCheckProof(app, context);
+  AddEntail(app, context);
   AddReplay(app, context);
   AddIcarus(app, context);
   AddPlugin(app, context);

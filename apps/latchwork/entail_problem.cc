@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/latchwork/entail_problem.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "reasoners/circumscription/grounding/tptp_problem.h"
+
+namespace latchwork::app {
+namespace {
+
+namespace circ = latchwork::circumscription;
+
+constexpr std::size_t kMostBytes = 256U << 20U;
+
+std::string ReadStream(std::istream& stream) {
+  std::string text;
+  std::array<char, 1U << 16U> buffer{};
+  while (text.size() <= kMostBytes) {
+    stream.read(buffer.data(), buffer.size());
+    if (stream.gcount() == 0) break;
+    text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  return text;
+}
+
+EntailProblem Refused(const std::string& file, std::string message, std::string hint = "") {
+  EntailProblem problem;
+  problem.diagnostics.push_back({{file, 0, 0}, std::move(message), std::move(hint), ""});
+  return problem;
+}
+
+EntailProblem ReadCircProblem(const std::string& name) {
+  std::error_code error;
+  std::ifstream stream;
+  if (name != "-") stream.open(name, std::ios::binary);
+  if (name != "-" && (!stream || std::filesystem::is_directory(name, error))) {
+    return Refused(name, "the file cannot be read");
+  }
+  const std::string text = ReadStream(name == "-" ? std::cin : stream);
+  if (text.size() > kMostBytes) return Refused(name, "the file is larger than 256 MiB");
+  circ::CircFile file = circ::ReadCirc(text, name);
+  EntailProblem problem{
+      std::move(file.theory), {}, std::move(file.queries), std::move(file.diagnostics)};
+  if (problem.diagnostics.empty()) problem.latches = circ::MoveFacts(file.facts, problem.theory);
+  return problem;
+}
+
+std::vector<std::string_view> SplitList(std::string_view list) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at = 0; at <= list.size();) {
+    const std::size_t end = std::min(list.find(',', at), list.size());
+    if (end > at) parts.push_back(list.substr(at, end - at));
+    at = end + 1;
+  }
+  return parts;
+}
+
+/// Gives predicates their roles; every name must occur in the problem, once in all options.
+class RoleReader {
+ public:
+  explicit RoleReader(const std::vector<logic::PredicateName>& predicates) {
+    for (const logic::PredicateName& name : predicates) {
+      names_.push_back(ToString(name));
+      predicates_.push_back(name);
+    }
+    taken_.resize(names_.size(), false);
+  }
+
+  void Add(std::string_view option, const std::string& list,
+           std::map<logic::PredicateName, int>* roles, int level) {
+    for (const std::string_view part : SplitList(list)) {
+      const auto place = std::find(names_.begin(), names_.end(), part);
+      const auto index = static_cast<std::size_t>(place - names_.begin());
+      if (place == names_.end()) {
+        const std::string_view nearest = logic::NearestName(part, names_);
+        Refuse(option, fmt::format("there is no predicate '{}'", part),
+               nearest.empty() ? "predicates are written NAME/ARITY"
+                               : fmt::format("did you mean '{}'?", nearest));
+      } else if (taken_[index]) {
+        Refuse(option, fmt::format("'{}' is named twice", part),
+               "a predicate is minimized, fixed, or varies");
+      } else {
+        taken_[index] = true;
+        if (roles != nullptr) (*roles)[predicates_[index]] = level;
+      }
+    }
+  }
+  logic::Diagnostics& diagnostics() { return diagnostics_; }
+
+ private:
+  void Refuse(std::string_view option, std::string message, std::string hint) {
+    diagnostics_.push_back({{std::string(option), 0, 0}, std::move(message), std::move(hint), ""});
+  }
+
+  std::vector<std::string> names_;
+  std::vector<logic::PredicateName> predicates_;
+  std::vector<bool> taken_;
+  logic::Diagnostics diagnostics_;
+};
+
+/// Adds the formulas of --query as conjectures q1, q2, ...
+void AddQueries(const EntailInput& input, logic::SymbolTable& symbols, logic::TptpFile& file) {
+  for (std::size_t i = 0; i < input.queries.size(); ++i) {
+    // The formula has a line of its own, so that its columns are the ones that were written.
+    const std::string text = fmt::format("fof(q{},conjecture,(\n{}\n)).", i + 1, input.queries[i]);
+    logic::TptpFile query = logic::ReadTptp(text, fmt::format("--query {}", i + 1), symbols);
+    for (logic::Diagnostic& diagnostic : query.diagnostics) {
+      if (diagnostic.place.line > 1) --diagnostic.place.line;
+      file.diagnostics.push_back(std::move(diagnostic));
+    }
+    for (logic::AnnotatedFormula& formula : query.formulas) {
+      file.formulas.push_back(std::move(formula));
+    }
+  }
+}
+
+EntailProblem ReadTptpProblem(const EntailInput& input) {
+  logic::SymbolTable symbols;
+  logic::TptpFile file = Read(input.input, symbols);
+  AddQueries(input, symbols, file);
+  EntailProblem problem;
+  problem.diagnostics = std::move(file.diagnostics);
+  if (!problem.diagnostics.empty()) return problem;
+  circ::PredicateRoles roles;
+  RoleReader reader(circ::PredicatesOf(file.formulas));
+  for (std::size_t i = 0; i < input.minimize.size(); ++i) {
+    reader.Add("--minimize", input.minimize[i], &roles.minimized, static_cast<int>(i) + 1);
+  }
+  for (const std::string& list : input.vary) reader.Add("--vary", list, nullptr, 0);
+  for (const std::string& list : input.fix) reader.Add("--fix", list, &roles.fixed, 0);
+  problem.diagnostics = std::move(reader.diagnostics());
+  if (!problem.diagnostics.empty()) return problem;
+  circ::TptpProblem ground = circ::GroundTptp(file.formulas, roles, symbols);
+  problem.theory = std::move(ground.theory);
+  problem.queries = std::move(ground.queries);
+  problem.diagnostics = std::move(ground.diagnostics);
+  for (circ::Query& query : problem.queries) query.brave = input.brave;
+  return problem;
+}
+
+}  // namespace
+
+EntailProblem ReadEntailProblem(const EntailInput& input) {
+  const std::string extension = std::filesystem::path(input.input.file).extension().string();
+  const bool tptp = extension == ".p" || extension == ".ax" || extension == ".tptp";
+  const bool has_options = !input.minimize.empty() || !input.vary.empty() || !input.fix.empty() ||
+                           !input.queries.empty() || input.brave;
+  if (extension == ".circ" && has_options) {
+    return Refused(input.input.file, "a .circ file says itself what is minimized and asked",
+                   "leave out --minimize, --vary, --fix, --query and --brave");
+  }
+  return tptp || has_options ? ReadTptpProblem(input) : ReadCircProblem(input.input.file);
+}
+
+}  // namespace latchwork::app
