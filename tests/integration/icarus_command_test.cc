@@ -358,7 +358,7 @@ TEST_F(IcarusCommandTest, Translate_Mistakes_AreReported) {
       Icarus({"translate", "p.icarus"}, "(teleo-reactive Go () (when {far} to {go}))\n");
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.out, "");
-  EXPECT_NE(result.err.find("p.icarus:1:24: error[I040]"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("p.icarus:1:23: error[I033]"), std::string::npos) << result.err;
 }
 
 }  // namespace

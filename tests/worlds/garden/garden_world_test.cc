@@ -65,7 +65,7 @@ TEST_F(GardenWorldTest, FirstTick_TellsOfTheBeds) {
   EXPECT_THAT(Sensed(kClock), Not(HasSubstr("working")));
   EXPECT_THAT(Sensed(kForecast), HasSubstr("low_expected("));
   EXPECT_THAT(Sensed(kInspection), HasSubstr("at(well)"));
-  EXPECT_EQ(Sensed(kStock), "tank(0.0) barrel(300.0) portions(50) ");
+  EXPECT_EQ(Sensed(kStock), "tank(0.0) barrel(400.0) portions(50) ");
 }
 
 TEST_F(GardenWorldTest, Night_NothingIsDone) {

@@ -31,7 +31,7 @@ TEST_F(GardenerTest, Walk_TakesItsTime) {
 TEST_F(GardenerTest, Water_GoesFromBarrelToBed) {
   Work(Task::Kind::kFill, 2);
   EXPECT_EQ(gardener_.water(), 40);
-  EXPECT_EQ(barrel_.water, 260);
+  EXPECT_EQ(barrel_.water, 360);
   WalkTo(1);
   const double before = beds_[1].moisture();
   Work(Task::Kind::kPour, 3);
