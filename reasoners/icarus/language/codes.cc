@@ -100,7 +100,8 @@ constexpr std::array<CodeInfo, 34> kCodes = {{
      "(by {act} ... (if condition ...) (achieve ...) ...) ...)); conditions are {function ...}, "
      "(fact ...) and (not condition)."},
     {"I034", kError,
-     "A file of learned values holds (value (Skill argument ...) estimate times), for skills of the "
+     "A file of learned values holds (value (Skill argument ...) estimate times), for skills of "
+     "the "
      "program and as many arguments as they have parameters."},
 }};
 
