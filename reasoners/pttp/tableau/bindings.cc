@@ -12,9 +12,9 @@ Bindings::Bindings(const Matrix& matrix) : codes_(matrix.codes()) {
   std::copy(cells.begin(), cells.end(), cells_.Extend(cells.size()));
 }
 
-Cell Bindings::Make(TermCode range, std::uint32_t base) {
-  const Cell* code = codes_ + range.first;
-  const Cell* const end = codes_ + range.end;
+Cell Bindings::Make(TermCode made_by, std::uint32_t base) {
+  const Cell* code = codes_ + made_by.first;
+  const Cell* const end = codes_ + made_by.end;
   Cell* block = cells_.data() + size();
   Cell made = 0;
   while (code != end) {
@@ -47,7 +47,7 @@ bool Bindings::MeetOpen(const HeadOperation& operation, std::uint32_t base, Cell
 }
 
 bool Bindings::RunHead(const HeadOperation* operation, std::uint32_t base, std::uint32_t at) {
-  std::array<std::uint32_t, kMostNested> up;
+  std::array<std::uint32_t, kMostNested> up{};
   std::uint32_t nested = 0;
   for (;; ++operation) {
     if (operation->step == HeadStep::kFirst) {

@@ -171,10 +171,10 @@ class Bindings {
     return hash;
   }
   /// Writes a term that there is room for.
-  Cell Make(TermCode code, std::uint32_t base);
+  Cell Make(TermCode made_by, std::uint32_t base);
   void LookUpProbes(const MatrixLiteral& goal, std::uint32_t base, const Cell* arguments,
                     Fingerprint& print) const {
-    std::array<Cell, Fingerprint::kPlaces> terms;
+    std::array<Cell, Fingerprint::kPlaces> terms{};
     for (const Probe* probe = goal.probes; probe != goal.probes_end; ++probe) {
       const Cell term = LookUp(*probe, base, arguments, terms.data());
       terms[probe->place] = term;

@@ -48,7 +48,7 @@ Cell Fingerprinter::At(const MatrixLiteral& literal, Place place) const {
 Fingerprint Fingerprinter::Take(const MatrixLiteral& literal, std::vector<Probe>& probes) const {
   Fingerprint print;
   std::array<bool, Fingerprint::kPlaces> open{};
-  for (std::uint8_t i = 0; i < places_.size(); ++i) {
+  for (std::uint32_t i = 0; i < places_.size(); ++i) {
     const Place place = places_[i];
     const Cell cell = At(literal, place);
     if (!IsVariable(cell)) {
@@ -59,7 +59,7 @@ Fingerprint Fingerprinter::Take(const MatrixLiteral& literal, std::vector<Probe>
     open[i] = cell != 0 || below_open;
     if (!open[i]) continue;
     Probe probe;
-    probe.place = i;
+    probe.place = static_cast<std::uint8_t>(i);
     probe.variable = cell >> 2U;
     if (place.above == kArgument) {
       probe.argument = place.index;
