@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "latchwork/sdk/contract_body.h"
+#include "latchwork/sdk/specs.h"
 #include "plugins/avoid/get_clearance.h"
 #include "plugins/avoid/get_force.h"
 
@@ -13,8 +14,8 @@ namespace {
 
 using sdk::ArgumentType;
 using sdk::ParameterSpec;
-using sdk::ParameterType;
 using sdk::PortSpec;
+using sdk::RealParameter;
 
 const sdk::ArgumentSpec kSonar{"sonar", ArgumentType::kInteger, ""};
 const sdk::ArgumentSpec kObject{"object", ArgumentType::kAny, ""};
@@ -54,37 +55,33 @@ PortSpec MotionPort() {
           .uninhibitable = true};
 }
 
-ParameterSpec Real(std::string name, std::string value, double minimum, double maximum,
-                   std::string unit, std::string help) {
-  return {.name = std::move(name),
-          .type = ParameterType::kReal,
-          .default_value = std::move(value),
-          .minimum = minimum,
-          .maximum = maximum,
-          .unit = std::move(unit),
-          .help = std::move(help),
-          .choices = {}};
-}
-
 std::vector<ParameterSpec> MakeParameters() {
   constexpr double kPi = std::numbers::pi;
   return {
-      Real("sense_range", "2.5", 0.1, 100, "m", "echoes from a larger gap are no objects"),
-      Real("halt_gap", "0.15", 0, 10, "m", "an object ahead within this gap from the hull halts"),
-      Real("halt_half_angle", "0.5", 0, kPi, "rad", "ahead is within this angle of the heading"),
-      Real("influence", "0.8", 0.05, 100, "m", "gap within which a sensed object repels"),
-      Real("repulsion", "0.12", 0, 100, "", "strength of a sensed object at half the influence"),
-      Real("circulation", "1.0", 0, 10, "", "share of the repulsion that leads round an object"),
-      Real("push", "1.0", 0, 100, "", "strength of a virtual object at 1 m"),
-      Real("cone_half_angle", "0.2181662", 0, kPi, "rad", "half the opening of a sonar cone"),
-      Real("margin", "0.1", 0, 10, "m", "gap that is left to what stands beside the way ahead"),
-      Real("horizon", "3.0", 0.1, 100, "m", "the way ahead is not looked at beyond this"),
-      Real("least_force", "0.05", 0, 100, "", "a weaker force does not move the robot"),
-      Real("turn_tolerance", "0.05", 0.001, kPi, "rad", "a smaller heading error is let be"),
-      Real("aligned_within", "0.9", 0.01, kPi, "rad", "no step forward at a larger heading error"),
-      Real("speed_gain", "0.6", 0, 100, "m/s", "speed for a force of strength 1"),
-      Real("max_speed", "0.6", 0, 10, "m/s", "never faster"),
-      Real("headway", "0.7", 0.1, 100, "s", "time in which the way ahead may be used up"),
+      RealParameter("sense_range", "2.5", 0.1, 100, "m", "echoes from a larger gap are no objects"),
+      RealParameter("halt_gap", "0.15", 0, 10, "m",
+                    "an object ahead within this gap from the hull halts"),
+      RealParameter("halt_half_angle", "0.5", 0, kPi, "rad",
+                    "ahead is within this angle of the heading"),
+      RealParameter("influence", "0.8", 0.05, 100, "m", "gap within which a sensed object repels"),
+      RealParameter("repulsion", "0.12", 0, 100, "",
+                    "strength of a sensed object at half the influence"),
+      RealParameter("circulation", "1.0", 0, 10, "",
+                    "share of the repulsion that leads round an object"),
+      RealParameter("push", "1.0", 0, 100, "", "strength of a virtual object at 1 m"),
+      RealParameter("cone_half_angle", "0.2181662", 0, kPi, "rad",
+                    "half the opening of a sonar cone"),
+      RealParameter("margin", "0.1", 0, 10, "m",
+                    "gap that is left to what stands beside the way ahead"),
+      RealParameter("horizon", "3.0", 0.1, 100, "m", "the way ahead is not looked at beyond this"),
+      RealParameter("least_force", "0.05", 0, 100, "", "a weaker force does not move the robot"),
+      RealParameter("turn_tolerance", "0.05", 0.001, kPi, "rad",
+                    "a smaller heading error is let be"),
+      RealParameter("aligned_within", "0.9", 0.01, kPi, "rad",
+                    "no step forward at a larger heading error"),
+      RealParameter("speed_gain", "0.6", 0, 100, "m/s", "speed for a force of strength 1"),
+      RealParameter("max_speed", "0.6", 0, 10, "m/s", "never faster"),
+      RealParameter("headway", "0.7", 0.1, 100, "s", "time in which the way ahead may be used up"),
   };
 }
 

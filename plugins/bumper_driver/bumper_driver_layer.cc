@@ -4,58 +4,68 @@
 #include <utility>
 
 #include "latchwork/sdk/contract_body.h"
+#include "latchwork/sdk/specs.h"
 #include "plugins/bumper_driver/sight.h"
 
 namespace latchwork::bumper_driver {
 namespace {
 
-using sdk::ArgumentSpec;
-using sdk::ArgumentType;
+using sdk::IntegerArgument;
 using sdk::ParameterSpec;
 using sdk::ParameterType;
 using sdk::PortSpec;
-
-ArgumentSpec Word(const char* name) { return {name, ArgumentType::kSymbol, ""}; }
-ArgumentSpec Count(const char* name) { return {name, ArgumentType::kInteger, ""}; }
-ArgumentSpec Real(const char* name, const char* unit) { return {name, ArgumentType::kReal, unit}; }
+using sdk::RealArgument;
+using sdk::SymbolArgument;
 
 std::vector<PortSpec> MakeInputs() {
   return {{.name = "task",
-           .predicates = {{"task", {Word("task")}, "collision or day"},
-                          {"today", {Word("day")}, "which day it is"},
-                          {"spills_wanted", {Count("count")}, "hard bumps to be had"},
-                          {"thrills_wanted", {Count("count")}, "fast seconds to be had"}},
+           .predicates = {{"task", {SymbolArgument("task")}, "collision or day"},
+                          {"today", {SymbolArgument("day")}, "which day it is"},
+                          {"spills_wanted", {IntegerArgument("count")}, "hard bumps to be had"},
+                          {"thrills_wanted", {IntegerArgument("count")}, "fast seconds to be had"}},
            .help = "what is to be done"},
           {.name = "places",
-           .predicates = {{"pole", {Word("pole"), Real("x", "m"), Real("y", "m")}, "gives power"},
-                          {"gate", {Real("x", "m"), Real("y", "m")}, "where cars are left"}},
+           .predicates = {{"pole",
+                           {SymbolArgument("pole"), RealArgument("x", "m"), RealArgument("y", "m")},
+                           "gives power"},
+                          {"gate",
+                           {RealArgument("x", "m"), RealArgument("y", "m")},
+                           "where cars are left"}},
            .help = "what does not move"},
           {.name = "people",
-           .predicates = {{"driver", {Word("car"), Word("person")}, "who drives which car"},
-                          {"enemy", {Word("person")}, "to be rammed"},
-                          {"friend", {Word("person")}, "to be tapped at most"}},
+           .predicates = {{"driver",
+                           {SymbolArgument("car"), SymbolArgument("person")},
+                           "who drives which car"},
+                          {"enemy", {SymbolArgument("person")}, "to be rammed"},
+                          {"friend", {SymbolArgument("person")}, "to be tapped at most"}},
            .help = "in the other cars"},
           {.name = "self",
-           .predicates = {{"pose", {Real("x", "m"), Real("y", "m"), Real("heading", "rad")}, ""},
-                          {"speed", {Real("speed", "m/s")}, "along the heading"},
-                          {"power", {Word("state")}, "on or off"}},
+           .predicates = {{"pose",
+                           {RealArgument("x", "m"), RealArgument("y", "m"),
+                            RealArgument("heading", "rad")},
+                           ""},
+                          {"speed", {RealArgument("speed", "m/s")}, "along the heading"},
+                          {"power", {SymbolArgument("state")}, "on or off"}},
            .help = "the own car"},
           {.name = "eyes",
            .predicates = {{"sees",
-                           {Word("car"), Real("distance", "m"), Real("bearing", "rad")},
+                           {SymbolArgument("car"), RealArgument("distance", "m"),
+                            RealArgument("bearing", "rad")},
                            "left > 0"}},
            .help = "other cars in view"},
           {.name = "feelers",
-           .predicates = {{"clear", {Word("side"), Real("distance", "m")}, "ahead, left, right"}},
+           .predicates = {{"clear",
+                           {SymbolArgument("side"), RealArgument("distance", "m")},
+                           "ahead, left, right"}},
            .help = "to walls and poles"},
           {.name = "touch",
-           .predicates = {{"touching", {Word("thing")}, "a car, a pole, or wall"}},
+           .predicates = {{"touching", {SymbolArgument("thing")}, "a car, a pole, or wall"}},
            .help = "what the rubber ring feels"},
           {.name = "score",
-           .predicates = {{"rammed", {Word("car")}, "an enemy's, hard enough"},
-                          {"tapped", {Word("car")}, "a friend's, softly enough"},
-                          {"spill_count", {Count("count")}, "hard bumps so far"},
-                          {"thrill_count", {Count("count")}, "fast seconds so far"},
+           .predicates = {{"rammed", {SymbolArgument("car")}, "an enemy's, hard enough"},
+                          {"tapped", {SymbolArgument("car")}, "a friend's, softly enough"},
+                          {"spill_count", {IntegerArgument("count")}, "hard bumps so far"},
+                          {"thrill_count", {IntegerArgument("count")}, "fast seconds so far"},
                           {"paid", {}, "the ride has begun"},
                           {"ride_over", {}, "the bell has rung"},
                           {"outside", {}, "the car was left"}},
@@ -63,10 +73,11 @@ std::vector<PortSpec> MakeInputs() {
 }
 
 sdk::Contract MakeContract() {
-  PortSpec drive{.name = "drive",
-                 .predicates = {{"pedal", {Real("percent", "%")}, "of the highest speed; < 0 back"},
-                                {"steer", {Real("angle", "rad")}, "of the wheel, left > 0"}},
-                 .help = "what the car is told"};
+  PortSpec drive{
+      .name = "drive",
+      .predicates = {{"pedal", {RealArgument("percent", "%")}, "of the highest speed; < 0 back"},
+                     {"steer", {RealArgument("angle", "rad")}, "of the wheel, left > 0"}},
+      .help = "what the car is told"};
   PortSpec gate{.name = "gate",
                 .predicates = {{"pay", {}, "for a ride"}, {"leave", {}, "the standing car"}},
                 .help = "what is done at the gate"};

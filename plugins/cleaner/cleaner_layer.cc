@@ -4,70 +4,63 @@
 #include <utility>
 
 #include "latchwork/sdk/contract_body.h"
+#include "latchwork/sdk/specs.h"
 #include "plugins/cleaner/attachments.h"
 
 namespace latchwork::cleaner {
 
 namespace {
 
-using sdk::ArgumentSpec;
-using sdk::ArgumentType;
+using sdk::IntegerArgument;
 using sdk::ParameterSpec;
 using sdk::PortSpec;
-
-ArgumentSpec Integer(std::string name) { return {std::move(name), ArgumentType::kInteger, {}}; }
-ArgumentSpec Real(std::string name, std::string unit) {
-  return {std::move(name), ArgumentType::kReal, std::move(unit)};
-}
-ArgumentSpec Word(std::string name) { return {std::move(name), ArgumentType::kSymbol, {}}; }
+using sdk::RealArgument;
+using sdk::RealParameter;
+using sdk::SymbolArgument;
 
 sdk::Contract MakeContract() {
-  PortSpec robot{.name = "robot",
-                 .predicates = {{"tile_size", {Real("side", "m")}, "of a tile of the floor"},
-                                {"dock", {Integer("i"), Integer("j")}, "the tile of the dock"}},
-                 .help = "what the robot knows of itself"};
-  PortSpec pose{
-      .name = "pose",
-      .predicates = {{"pose", {Real("x", "m"), Real("y", "m"), Real("heading", "rad")}, "of it"}},
-      .help = "where the robot is"};
-  PortSpec view{.name = "view",
-                .predicates = {{"picture", {Integer("number")}, "counts them"},
-                               {"row_in_view", {Integer("j")}, "a row with tiles in view"},
-                               {"tile",
-                                {Integer("i"), Integer("j"), Word("state")},
-                                "dirty, clean or blocked"}},
-                .help = "the floor around the robot"};
-  PortSpec ranges{
-      .name = "ranges",
-      .predicates = {{"range", {Integer("sensor"), Real("gap", "m")}, "sensor 0 looks ahead"}},
-      .help = "how far it is to what stands there"};
+  PortSpec robot{
+      .name = "robot",
+      .predicates = {{"tile_size", {RealArgument("side", "m")}, "of a tile of the floor"},
+                     {"dock",
+                      {IntegerArgument("i"), IntegerArgument("j")},
+                      "the tile of the dock"}},
+      .help = "what the robot knows of itself"};
+  PortSpec pose{.name = "pose",
+                .predicates = {{"pose",
+                                {RealArgument("x", "m"), RealArgument("y", "m"),
+                                 RealArgument("heading", "rad")},
+                                "of it"}},
+                .help = "where the robot is"};
+  PortSpec view{
+      .name = "view",
+      .predicates = {{"picture", {IntegerArgument("number")}, "counts them"},
+                     {"row_in_view", {IntegerArgument("j")}, "a row with tiles in view"},
+                     {"tile",
+                      {IntegerArgument("i"), IntegerArgument("j"), SymbolArgument("state")},
+                      "dirty, clean or blocked"}},
+      .help = "the floor around the robot"};
+  PortSpec ranges{.name = "ranges",
+                  .predicates = {{"range",
+                                  {IntegerArgument("sensor"), RealArgument("gap", "m")},
+                                  "sensor 0 looks ahead"}},
+                  .help = "how far it is to what stands there"};
   PortSpec touch{.name = "touch",
-                 .predicates = {{"bump", {Word("side")}, "ahead, left, right or behind"}},
+                 .predicates = {{"bump", {SymbolArgument("side")}, "ahead, left, right or behind"}},
                  .help = "what the rim touches"};
   PortSpec power{.name = "power",
-                 .predicates = {{"battery", {Real("charge", "")}, "1 full, 0 empty"},
+                 .predicates = {{"battery", {RealArgument("charge", "")}, "1 full, 0 empty"},
                                 {"charging", {}, "the robot stands on its dock"}},
                  .help = "how long it will last"};
-  PortSpec motion{.name = "motion",
-                  .predicates = {{"drive",
-                                  {Real("speed", "m/s"), Real("turn_rate", "rad/s")},
-                                  "backwards < 0, to the left > 0"}},
-                  .help = "for the wheels; silent: stand"};
+  PortSpec motion{
+      .name = "motion",
+      .predicates = {{"drive",
+                      {RealArgument("speed", "m/s"), RealArgument("turn_rate", "rad/s")},
+                      "backwards < 0, to the left > 0"}},
+      .help = "for the wheels; silent: stand"};
   return {{std::move(robot), std::move(pose), std::move(view), std::move(ranges), std::move(touch),
            std::move(power)},
           {std::move(motion)}};
-}
-
-ParameterSpec Number(std::string name, std::string value, double low, double high, std::string unit,
-                     std::string help) {
-  return {std::move(name),
-          sdk::ParameterType::kReal,
-          std::move(value),
-          low,
-          high,
-          std::move(unit),
-          std::move(help),
-          {}};
 }
 
 }  // namespace
@@ -79,13 +72,14 @@ const sdk::Contract& CleanerLayer::contract() const {
 
 std::span<const ParameterSpec> CleanerLayer::parameters() const {
   static const std::vector<ParameterSpec> parameters{
-      Number("cruise", "0.5", 0.1, 2, "m/s", "speed on a free way"),
-      Number("reserve", "0.08", 0, 1, "", "part of the charge that is to be left at the dock"),
-      Number("charge_per_tile", "0.00125", 0, 1, "",
-             "part of the charge that a tile of the way home takes, turns included"),
-      Number("watch_below", "0.6", 0, 1, "",
-             "charge below which it keeps in mind how far it is from home"),
-      Number("full", "0.97", 0, 1, "", "charge with which it goes back to work")};
+      RealParameter("cruise", "0.5", 0.1, 2, "m/s", "speed on a free way"),
+      RealParameter("reserve", "0.08", 0, 1, "",
+                    "part of the charge that is to be left at the dock"),
+      RealParameter("charge_per_tile", "0.00125", 0, 1, "",
+                    "part of the charge that a tile of the way home takes, turns included"),
+      RealParameter("watch_below", "0.6", 0, 1, "",
+                    "charge below which it keeps in mind how far it is from home"),
+      RealParameter("full", "0.97", 0, 1, "", "charge with which it goes back to work")};
   return parameters;
 }
 

@@ -4,26 +4,23 @@
 #include <utility>
 
 #include "latchwork/sdk/contract_body.h"
+#include "latchwork/sdk/specs.h"
 
 namespace latchwork::gardener {
 
 namespace {
 
-using sdk::ArgumentSpec;
-using sdk::ArgumentType;
+using sdk::IntegerArgument;
 using sdk::ParameterSpec;
 using sdk::PortSpec;
-
-ArgumentSpec Integer(std::string name) { return {std::move(name), ArgumentType::kInteger, {}}; }
-ArgumentSpec Real(std::string name, std::string unit) {
-  return {std::move(name), ArgumentType::kReal, std::move(unit)};
-}
-ArgumentSpec Word(std::string name) { return {std::move(name), ArgumentType::kSymbol, {}}; }
+using sdk::RealArgument;
+using sdk::RealParameter;
+using sdk::SymbolArgument;
 
 PortSpec Clock() {
   return {"clock",
-          {{"day", {Integer("day")}, "of the season"},
-           {"hour", {Real("hour", "h")}, "since midnight"},
+          {{"day", {IntegerArgument("day")}, "of the season"},
+           {"hour", {RealArgument("hour", "h")}, "since midnight"},
            {"working", {}, "it is working time"}},
           "what time it is"};
 }
@@ -31,37 +28,39 @@ PortSpec Clock() {
 PortSpec Forecast() {
   return {"forecast",
           {{"rain_expected",
-            {Integer("days_ahead"), Real("rain", "mm")},
+            {IntegerArgument("days_ahead"), RealArgument("rain", "mm")},
             "of the whole day: 0 today, 1 tomorrow"},
-           {"low_expected", {Real("degrees", "C")}, "in the coming night"}},
+           {"low_expected", {RealArgument("degrees", "C")}, "in the coming night"}},
           "the weather to come"};
 }
 
 PortSpec Beds() {
-  return {"beds",
-          {{"soil", {Word("bed"), Real("moisture", "")}, "0 dry, 1 full of water"},
-           {"covered", {Word("bed")}, "it lies under its cover"}},
-          "how the beds are"};
+  return {
+      "beds",
+      {{"soil", {SymbolArgument("bed"), RealArgument("moisture", "")}, "0 dry, 1 full of water"},
+       {"covered", {SymbolArgument("bed")}, "it lies under its cover"}},
+      "how the beds are"};
 }
 
 PortSpec Inspection() {
-  return {"inspection",
-          {{"at", {Word("place")}, "where the gardener is"},
-           {"food", {Word("bed"), Real("food", "g")}, "in the soil of the bed here"}},
-          "what it sees where it is"};
+  return {
+      "inspection",
+      {{"at", {SymbolArgument("place")}, "where the gardener is"},
+       {"food", {SymbolArgument("bed"), RealArgument("food", "g")}, "in the soil of the bed here"}},
+      "what it sees where it is"};
 }
 
 PortSpec Stock() {
   return {"stock",
-          {{"tank", {Real("water", "l")}, "that it carries"},
-           {"barrel", {Real("water", "l")}, "at the well"},
-           {"portions", {Integer("portions")}, "of food that are left"}},
+          {{"tank", {RealArgument("water", "l")}, "that it carries"},
+           {"barrel", {RealArgument("water", "l")}, "at the well"},
+           {"portions", {IntegerArgument("portions")}, "of food that are left"}},
           "what there is to give"};
 }
 
 PortSpec Work() {
   return {"work",
-          {{"walk", {Word("place")}, "to a bed or to the well"},
+          {{"walk", {SymbolArgument("place")}, "to a bed or to the well"},
            {"fill", {}, "the tank, at the well"},
            {"pour", {}, "water on the bed here"},
            {"feed", {}, "the bed here"},
@@ -71,26 +70,15 @@ PortSpec Work() {
 }
 
 sdk::Contract MakeContract() {
-  PortSpec map{
-      "map", {{"bed", {Word("bed"), Real("way", "m")}, "how far it is"}}, "where the beds are"};
+  PortSpec map{"map",
+               {{"bed", {SymbolArgument("bed"), RealArgument("way", "m")}, "how far it is"}},
+               "where the beds are"};
   PortSpec weather{"weather",
-                   {{"sky", {Word("sky")}, "sun, cloud or rain"},
-                    {"temperature", {Real("degrees", "C")}, "of the air"}},
+                   {{"sky", {SymbolArgument("sky")}, "sun, cloud or rain"},
+                    {"temperature", {RealArgument("degrees", "C")}, "of the air"}},
                    "the weather now"};
   return {{std::move(map), Clock(), std::move(weather), Forecast(), Beds(), Inspection(), Stock()},
           {Work()}};
-}
-
-ParameterSpec Number(std::string name, std::string value, double low, double high, std::string unit,
-                     std::string help) {
-  return {std::move(name),
-          sdk::ParameterType::kReal,
-          std::move(value),
-          low,
-          high,
-          std::move(unit),
-          std::move(help),
-          {}};
 }
 
 }  // namespace
@@ -102,12 +90,13 @@ const sdk::Contract& GardenerLayer::contract() const {
 
 std::span<const ParameterSpec> GardenerLayer::parameters() const {
   static const std::vector<ParameterSpec> parameters{
-      Number("water_below", "0.5", 0, 1, "", "moisture below which a bed is thirsty"),
-      Number("water_to", "0.62", 0, 1, "", "moisture that a thirsty bed is watered to"),
-      Number("feed_below", "32", 0, 100, "g", "food below which a bed is hungry"),
-      Number("frost_margin", "2.5", 0, 20, "C",
-             "beds are covered when the forecast for the night is not above this"),
-      Number("cover_from", "16", 0, 24, "h", "hour from which beds are covered for the night")};
+      RealParameter("water_below", "0.5", 0, 1, "", "moisture below which a bed is thirsty"),
+      RealParameter("water_to", "0.62", 0, 1, "", "moisture that a thirsty bed is watered to"),
+      RealParameter("feed_below", "32", 0, 100, "g", "food below which a bed is hungry"),
+      RealParameter("frost_margin", "2.5", 0, 20, "C",
+                    "beds are covered when the forecast for the night is not above this"),
+      RealParameter("cover_from", "16", 0, 24, "h",
+                    "hour from which beds are covered for the night")};
   return parameters;
 }
 

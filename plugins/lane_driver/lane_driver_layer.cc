@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "latchwork/sdk/contract_body.h"
+#include "latchwork/sdk/specs.h"
 #include "plugins/lane_driver/pace.h"
 
 namespace latchwork::lane_driver {
@@ -15,6 +16,7 @@ using sdk::ArgumentType;
 using sdk::ParameterSpec;
 using sdk::ParameterType;
 using sdk::PortSpec;
+using sdk::RealParameter;
 
 const ArgumentSpec kLane{"lane", ArgumentType::kInteger, ""};
 const ArgumentSpec kCar{"car", ArgumentType::kSymbol, ""};
@@ -62,24 +64,14 @@ sdk::Contract MakeContract() {
           {std::move(drive)}};
 }
 
-ParameterSpec Number(std::string name, std::string value, double low, double high, std::string unit,
-                     std::string help) {
-  return {std::move(name),
-          ParameterType::kReal,
-          std::move(value),
-          low,
-          high,
-          std::move(unit),
-          std::move(help),
-          {}};
-}
-
 std::vector<ParameterSpec> MakeParameters() {
   return {
-      Number("headway", "1.2", 0.3, 5, "s", "to the car ahead when following it"),
-      Number("standstill_gap", "3", 0.5, 20, "m", "to the car ahead at a stand"),
-      Number("exit_zone", "300", 50, 5000, "m", "before the exit, where lane 0 is not left again"),
-      Number("lane_zone", "250", 50, 5000, "m", "more of it for every lane that is to be crossed"),
+      RealParameter("headway", "1.2", 0.3, 5, "s", "to the car ahead when following it"),
+      RealParameter("standstill_gap", "3", 0.5, 20, "m", "to the car ahead at a stand"),
+      RealParameter("exit_zone", "300", 50, 5000, "m",
+                    "before the exit, where lane 0 is not left again"),
+      RealParameter("lane_zone", "250", 50, 5000, "m",
+                    "more of it for every lane that is to be crossed"),
       {.name = "passing",
        .type = ParameterType::kText,
        .default_value = "fastest",

@@ -4,14 +4,15 @@
 #include <utility>
 
 #include "latchwork/sdk/contract_body.h"
+#include "latchwork/sdk/specs.h"
 
 namespace latchwork::pole_balancer {
 namespace {
 
 using sdk::ArgumentType;
 using sdk::ParameterSpec;
-using sdk::ParameterType;
 using sdk::PredicateSpec;
+using sdk::RealParameter;
 
 PredicateSpec Reading(std::string name, std::string argument, std::string unit, std::string help) {
   return {std::move(name),
@@ -31,18 +32,6 @@ sdk::Contract MakeContract() {
             .help = "of the cart"}}};
 }
 
-ParameterSpec Number(std::string name, std::string value, double low, double high, std::string unit,
-                     std::string help) {
-  return {std::move(name),
-          ParameterType::kReal,
-          std::move(value),
-          low,
-          high,
-          std::move(unit),
-          std::move(help),
-          {}};
-}
-
 }  // namespace
 
 const sdk::Contract& PoleBalancerLayer::contract() const {
@@ -52,11 +41,13 @@ const sdk::Contract& PoleBalancerLayer::contract() const {
 
 std::span<const ParameterSpec> PoleBalancerLayer::parameters() const {
   static const std::vector<ParameterSpec> parameters = {
-      Number("safe_lean", "0.12", 0.001, 1, "rad",
-             "beyond it, as foreseen, catching the pole is all that matters"),
-      Number("middle", "0.1", 0.001, 10, "m", "so near, as foreseen, the cart is in the middle"),
-      Number("greatest_lean", "0.08", 0.001, 0.5, "rad", "that brings the cart back to the middle"),
-      Number("stiffness", "45", 1, 1000, "N/rad", "force for each rad that the pole is off"),
+      RealParameter("safe_lean", "0.12", 0.001, 1, "rad",
+                    "beyond it, as foreseen, catching the pole is all that matters"),
+      RealParameter("middle", "0.1", 0.001, 10, "m",
+                    "so near, as foreseen, the cart is in the middle"),
+      RealParameter("greatest_lean", "0.08", 0.001, 0.5, "rad",
+                    "that brings the cart back to the middle"),
+      RealParameter("stiffness", "45", 1, 1000, "N/rad", "force for each rad that the pole is off"),
   };
   return parameters;
 }

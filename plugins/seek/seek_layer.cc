@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "latchwork/sdk/contract_body.h"
+#include "latchwork/sdk/specs.h"
 #include "plugins/seek/bearing.h"
 
 namespace latchwork::seek {
@@ -13,7 +14,6 @@ namespace {
 using sdk::ArgumentSpec;
 using sdk::ArgumentType;
 using sdk::ParameterSpec;
-using sdk::ParameterType;
 using sdk::PortSpec;
 
 const ArgumentSpec kX{"x", ArgumentType::kReal, "m"};
@@ -39,30 +39,12 @@ sdk::Contract MakeContract() {
 }
 
 std::vector<ParameterSpec> MakeParameters() {
-  return {{.name = "sectors",
-           .type = ParameterType::kInteger,
-           .default_value = "8",
-           .minimum = 4,
-           .maximum = 360,
-           .unit = "",
-           .help = "directions that the push is rounded to, relative to the heading",
-           .choices = {}},
-          {.name = "arrive_tolerance",
-           .type = ParameterType::kReal,
-           .default_value = "0.2",
-           .minimum = 0.01,
-           .maximum = 10,
-           .unit = "m",
-           .help = "nearer than this the destination is reached and nothing pushes",
-           .choices = {}},
-          {.name = "push_distance",
-           .type = ParameterType::kReal,
-           .default_value = "1.0",
-           .minimum = 0.1,
-           .maximum = 100,
-           .unit = "m",
-           .help = "of the pushing object behind the robot; the farther, the weaker",
-           .choices = {}}};
+  return {sdk::IntegerParameter("sectors", "8", 4, 360,
+                                "directions that the push is rounded to, relative to the heading"),
+          sdk::RealParameter("arrive_tolerance", "0.2", 0.01, 10, "m",
+                             "nearer than this the destination is reached and nothing pushes"),
+          sdk::RealParameter("push_distance", "1.0", 0.1, 100, "m",
+                             "of the pushing object behind the robot; the farther, the weaker")};
 }
 
 }  // namespace

@@ -5,46 +5,25 @@
 #include <utility>
 #include <vector>
 
+#include "latchwork/sdk/specs.h"
 #include "reasoners/icarus/learning/layer_learning.h"
 
 namespace latchwork::icarus {
 namespace {
 
-sdk::ParameterSpec Choice(std::string name, std::vector<std::string> choices, std::string help) {
-  return {.name = std::move(name),
-          .type = sdk::ParameterType::kText,
-          .default_value = choices.front(),
-          .unit = "",
-          .help = std::move(help),
-          .choices = choices};
-}
-
-sdk::ParameterSpec Flag(std::string name, std::string help) {
-  return {.name = std::move(name),
-          .type = sdk::ParameterType::kBoolean,
-          .default_value = "false",
-          .unit = "",
-          .help = std::move(help),
-          .choices = {}};
-}
+using sdk::BooleanParameter;
+using sdk::ChoiceParameter;
 
 std::vector<sdk::ParameterSpec> MakeOptions() {
   std::vector<sdk::ParameterSpec> options = {
-      Choice("acts", {"first", "all", "value"}, "the acts that leave a skill"),
-      Choice("expand", {"all", "first", "best"}, "the means that are asked"),
-      {.name = "means",
-       .type = sdk::ParameterType::kInteger,
-       .default_value = "1",
-       .minimum = 1,
-       .maximum = 1e6,
-       .unit = "",
-       .help = "how many means are asked, where not all are",
-       .choices = {}},
-      Flag("restart", "a finished sequence starts again"),
-      Flag("full", "a cycle goes on after its first act"),
-      Choice("faults", {"false", "abort-cycle", "stop"},
-             "what a fault does: its clause is False; the cycle fails; that cycle and all "
-             "after it fail")};
+      ChoiceParameter("acts", {"first", "all", "value"}, "the acts that leave a skill"),
+      ChoiceParameter("expand", {"all", "first", "best"}, "the means that are asked"),
+      sdk::IntegerParameter("means", "1", 1, 1e6, "how many means are asked, where not all are"),
+      BooleanParameter("restart", false, "a finished sequence starts again"),
+      BooleanParameter("full", false, "a cycle goes on after its first act"),
+      ChoiceParameter("faults", {"false", "abort-cycle", "stop"},
+                      "what a fault does: its clause is False; the cycle fails; that cycle and all "
+                      "after it fail")};
   for (sdk::ParameterSpec& of : LayerLearning::Parameters()) options.push_back(std::move(of));
   return options;
 }

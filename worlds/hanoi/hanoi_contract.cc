@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "latchwork/sdk/specs.h"
+
 namespace latchwork::hanoi {
 namespace {
 
@@ -11,20 +13,10 @@ using sdk::ArgumentType;
 using sdk::ParameterSpec;
 using sdk::ParameterType;
 using sdk::PortSpec;
+using sdk::RealParameter;
 
 const ArgumentSpec kDisk{"disk", ArgumentType::kInteger, ""};
 const ArgumentSpec kPeg{"peg", ArgumentType::kSymbol, ""};
-
-ParameterSpec Number(const char* name, const char* value, double low, double high, const char* unit,
-                     const char* help) {
-  return {.name = name,
-          .default_value = value,
-          .minimum = low,
-          .maximum = high,
-          .unit = unit,
-          .help = help,
-          .choices = {}};
-}
 
 }  // namespace
 
@@ -57,32 +49,26 @@ sdk::Contract HanoiContract() {
 }
 
 std::vector<ParameterSpec> HanoiParameters() {
-  return {{.name = "disks",
-           .type = ParameterType::kInteger,
-           .default_value = "5",
-           .minimum = 1,
-           .maximum = 12,
-           .unit = "",
-           .help = "in the puzzle",
-           .choices = {}},
-          {.name = "start",
-           .type = ParameterType::kText,
-           .default_value = "tower",
-           .unit = "",
-           .help = "'tower': all on the left; 'random': any position, by seed; or a letter l, m, r "
-                   "for the peg of every disk, from the smallest",
-           .choices = {}},
-          {.name = "target",
-           .type = ParameterType::kText,
-           .default_value = "right",
-           .unit = "",
-           .help = "the peg to bring all disks to",
-           .choices = {"left", "middle", "right"}},
-          Number("hand_every", "0", 0, 1e6, "s", "mean time between moves of a hand; 0: none"),
-          Number("slip", "0", 0, 0.9, "", "probability that closing fingers find no hold"),
-          Number("travel_speed", "0.5", 0.01, 10, "m/s", "of the gripper, to the side"),
-          Number("lift_speed", "0.5", 0.01, 10, "m/s", "of the gripper, up and down"),
-          Number("grip_time", "0.3", 0, 60, "s", "to close and to open the fingers")};
+  return {
+      sdk::IntegerParameter("disks", "5", 1, 12, "in the puzzle"),
+      {.name = "start",
+       .type = ParameterType::kText,
+       .default_value = "tower",
+       .unit = "",
+       .help = "'tower': all on the left; 'random': any position, by seed; or a letter l, m, r "
+               "for the peg of every disk, from the smallest",
+       .choices = {}},
+      {.name = "target",
+       .type = ParameterType::kText,
+       .default_value = "right",
+       .unit = "",
+       .help = "the peg to bring all disks to",
+       .choices = {"left", "middle", "right"}},
+      RealParameter("hand_every", "0", 0, 1e6, "s", "mean time between moves of a hand; 0: none"),
+      RealParameter("slip", "0", 0, 0.9, "", "probability that closing fingers find no hold"),
+      RealParameter("travel_speed", "0.5", 0.01, 10, "m/s", "of the gripper, to the side"),
+      RealParameter("lift_speed", "0.5", 0.01, 10, "m/s", "of the gripper, up and down"),
+      RealParameter("grip_time", "0.3", 0, 60, "s", "to close and to open the fingers")};
 }
 
 std::vector<sdk::PredicateSpec> HanoiEvents() {

@@ -4,27 +4,29 @@
 #include <string>
 #include <utility>
 
+#include "latchwork/sdk/specs.h"
+
 namespace latchwork::traffic {
 
 namespace {
 
 using sdk::ArgumentSpec;
 using sdk::ArgumentType;
+using sdk::IntegerParameter;
 using sdk::ParameterSpec;
 using sdk::ParameterType;
 using sdk::PortSpec;
+using sdk::RealArgument;
+using sdk::RealParameter;
 
 ArgumentSpec Lane(std::string name = "lane") {
   return {std::move(name), ArgumentType::kInteger, {}};
-}
-ArgumentSpec Real(std::string name, std::string unit) {
-  return {std::move(name), ArgumentType::kReal, std::move(unit)};
 }
 ArgumentSpec Name() { return {"car", ArgumentType::kSymbol, {}}; }
 
 PortSpec DrivePort() {
   return {"drive",
-          {{"accelerate", {Real("acceleration", "m/s^2")}, "negative: brake; -8 to 3"},
+          {{"accelerate", {RealArgument("acceleration", "m/s^2")}, "negative: brake; -8 to 3"},
            {"aim", {Lane()}, "steer for the middle of this lane; crossing one takes about 4 s"}},
           "pedals and steering; nothing: the car rolls on in its lane",
           true};
@@ -34,17 +36,17 @@ PortSpec SelfPort() {
   return {"self",
           {{"my_lane", {Lane()}, "the nearest; 0 is the rightmost, the one with the exits"},
            {"my_aim", {Lane()}, "the lane that the car steers for"},
-           {"my_offset", {Real("offset", "m")}, "from the middle of my_lane, left > 0"},
+           {"my_offset", {RealArgument("offset", "m")}, "from the middle of my_lane, left > 0"},
            {"in_lane", {Lane()}, "a lane that the car takes up; between lanes there are two"},
-           {"my_speed", {Real("speed", "m/s")}, "as the speedometer shows it"},
-           {"exit_in", {Real("distance", "m")}, "until the exit that is to be taken"},
+           {"my_speed", {RealArgument("speed", "m/s")}, "as the speedometer shows it"},
+           {"exit_in", {RealArgument("distance", "m")}, "until the exit that is to be taken"},
            {"trip", {{"number", ArgumentType::kInteger, {}}}, "from 1 on; see trips"}},
           "the agent's car; every tick"};
 }
 
 PortSpec CarsPort() {
-  const std::vector<ArgumentSpec> seen = {Lane(), Name(), Real("gap", "m"),
-                                          Real("relative_speed", "m/s")};
+  const std::vector<ArgumentSpec> seen = {Lane(), Name(), RealArgument("gap", "m"),
+                                          RealArgument("relative_speed", "m/s")};
   return {"cars",
           {{"ahead", seen, "the next car in a lane, bumper to bumper; > 0: it draws away"},
            {"behind", seen, "the next car behind in a lane; > 0: it comes nearer"},
@@ -56,37 +58,14 @@ PortSpec RoadPort() {
   return {"road",
           {{"lane", {Lane()}, "there is such a lane"},
            {"left_of", {Lane("left"), Lane()}, "the lane to the left of a lane"},
-           {"speed_limit", {Real("speed", "m/s")}, "on this road"}},
+           {"speed_limit", {RealArgument("speed", "m/s")}, "on this road"}},
           "what does not change; at tick 0"};
 }
 
 PortSpec RewardPort() {
   return {"reward",
-          {{"reward", {Real("reward", "")}, "of the last tick: progress less discomfort"}},
+          {{"reward", {RealArgument("reward", "")}, "of the last tick: progress less discomfort"}},
           "for an agent that learns; every tick"};
-}
-
-ParameterSpec Number(std::string name, std::string value, double low, double high, std::string unit,
-                     std::string help) {
-  return {std::move(name),
-          ParameterType::kReal,
-          std::move(value),
-          low,
-          high,
-          std::move(unit),
-          std::move(help),
-          {}};
-}
-ParameterSpec Count(std::string name, std::string value, double low, double high,
-                    std::string help) {
-  return {std::move(name),
-          ParameterType::kInteger,
-          std::move(value),
-          low,
-          high,
-          {},
-          std::move(help),
-          {}};
 }
 
 }  // namespace
@@ -97,9 +76,11 @@ sdk::Contract TrafficContract() {
 
 std::vector<sdk::PredicateSpec> TrafficEvents() {
   return {
-      {"brakes", {Name(), Real("duration", "s")}, "a car brakes hard, for whatever reason"},
-      {"leader_brakes", {Real("duration", "s")}, "so does the car ahead in the agent's lane"},
-      {"sight", {Real("range", "m")}, "from now on cars are seen as far as this"},
+      {"brakes", {Name(), RealArgument("duration", "s")}, "a car brakes hard, for whatever reason"},
+      {"leader_brakes",
+       {RealArgument("duration", "s")},
+       "so does the car ahead in the agent's lane"},
+      {"sight", {RealArgument("range", "m")}, "from now on cars are seen as far as this"},
   };
 }
 
@@ -111,22 +92,25 @@ std::vector<ParameterSpec> TrafficParameters() {
                     .help = "a collision, a missed exit or a trip that takes too long ends the run",
                     .choices = {}};
   return {
-      Count("lanes", "3", 1, 6, "of the road, one way"),
-      Number("ring", "2000", 500, 20000, "m", "the road is a ring of this length"),
-      Number("density", "8", 0, 30, "1/km", "cars per lane, at least one in each"),
-      Number("trucks", "0.15", 0, 1, "", "share of the cars that are long and slow; not leftmost"),
-      Number("speed_limit", "30", 5, 50, "m/s", "others like 60 to 115 % of it"),
-      Number("exit", "1500", 100, 100000, "m", "length of a trip, from its start to its exit"),
-      Number("slack", "1.4", 1, 100, "",
-             "good time: at most so many times what a trip takes at the speed limit"),
-      Count("trips", "1", 1, 100000, "until the run ends; each starts where the last one ended"),
+      IntegerParameter("lanes", "3", 1, 6, "of the road, one way"),
+      RealParameter("ring", "2000", 500, 20000, "m", "the road is a ring of this length"),
+      RealParameter("density", "8", 0, 30, "1/km", "cars per lane, at least one in each"),
+      RealParameter("trucks", "0.15", 0, 1, "",
+                    "share of the cars that are long and slow; not leftmost"),
+      RealParameter("speed_limit", "30", 5, 50, "m/s", "others like 60 to 115 % of it"),
+      RealParameter("exit", "1500", 100, 100000, "m",
+                    "length of a trip, from its start to its exit"),
+      RealParameter("slack", "1.4", 1, 100, "",
+                    "good time: at most so many times what a trip takes at the speed limit"),
+      IntegerParameter("trips", "1", 1, 100000,
+                       "until the run ends; each starts where the last one ended"),
       std::move(end),
-      Number("sight_range", "150", 20, 500, "m", "how far cars are seen, ahead and behind"),
-      Number("distance_noise", "0.3", 0, 5, "m", "standard deviation of gaps"),
-      Number("speed_noise", "0.2", 0, 5, "m/s", "standard deviation of relative speeds"),
-      Number("brakings", "0.2", 0, 10, "1/min",
-             "how often the car ahead brakes hard for 2 s for no reason"),
-      Number("warm_up", "30", 0, 600, "s", "that the traffic flows before tick 0"),
+      RealParameter("sight_range", "150", 20, 500, "m", "how far cars are seen, ahead and behind"),
+      RealParameter("distance_noise", "0.3", 0, 5, "m", "standard deviation of gaps"),
+      RealParameter("speed_noise", "0.2", 0, 5, "m/s", "standard deviation of relative speeds"),
+      RealParameter("brakings", "0.2", 0, 10, "1/min",
+                    "how often the car ahead brakes hard for 2 s for no reason"),
+      RealParameter("warm_up", "30", 0, 600, "s", "that the traffic flows before tick 0"),
   };
 }
 

@@ -7,31 +7,11 @@
 #include <system_error>
 #include <utility>
 
+#include "latchwork/sdk/specs.h"
+
 namespace latchwork::icarus {
 
 namespace {
-
-sdk::ParameterSpec Real(std::string name, std::string value, double most, std::string help) {
-  return {.name = std::move(name),
-          .type = sdk::ParameterType::kReal,
-          .default_value = std::move(value),
-          .minimum = 0,
-          .maximum = most,
-          .unit = "",
-          .help = std::move(help),
-          .choices = {}};
-}
-
-sdk::ParameterSpec Count(std::string name, std::string value, std::string help) {
-  return {.name = std::move(name),
-          .type = sdk::ParameterType::kInteger,
-          .default_value = std::move(value),
-          .minimum = 1,
-          .maximum = 1e9,
-          .unit = "",
-          .help = std::move(help),
-          .choices = {}};
-}
 
 /// The rewards among the facts of the latches.
 double RewardOf(std::span<const sdk::Latch> latches) {
@@ -49,24 +29,23 @@ double RewardOf(std::span<const sdk::Latch> latches) {
 }  // namespace
 
 std::vector<sdk::ParameterSpec> LayerLearning::Parameters() {
-  return {{.name = "values",
-           .type = sdk::ParameterType::kFile,
-           .default_value = "",
-           .unit = "",
-           .help = "learned values of skills, to begin with; with learn they are written there",
-           .choices = {}},
-          {.name = "learn",
-           .type = sdk::ParameterType::kBoolean,
-           .default_value = "false",
-           .unit = "",
-           .help = "values of skills are learned from the facts reward(R) of the latches",
-           .choices = {}},
-          Real("exploration", "0.1", 1, "share of the choices made at random while learning"),
-          Count("hold", "1", "cycles for which a random choice stays the same"),
-          Real("rate", "0.1", 1, "of what is new in a value, at least"),
-          Real("discount", "0.99", 1, "of rewards, per cycle"),
-          Real("trace", "0.95", 1, "0: a value rests on the next one; 1: on rewards alone"),
-          Count("exploration_seed", "1", "of the random choices")};
+  return {
+      {.name = "values",
+       .type = sdk::ParameterType::kFile,
+       .default_value = "",
+       .unit = "",
+       .help = "learned values of skills, to begin with; with learn they are written there",
+       .choices = {}},
+      sdk::BooleanParameter("learn", false,
+                            "values of skills are learned from the facts reward(R) of the latches"),
+      sdk::RealParameter("exploration", "0.1", 0, 1, "",
+                         "share of the choices made at random while learning"),
+      sdk::IntegerParameter("hold", "1", 1, 1e9, "cycles for which a random choice stays the same"),
+      sdk::RealParameter("rate", "0.1", 0, 1, "", "of what is new in a value, at least"),
+      sdk::RealParameter("discount", "0.99", 0, 1, "", "of rewards, per cycle"),
+      sdk::RealParameter("trace", "0.95", 0, 1, "",
+                         "0: a value rests on the next one; 1: on rewards alone"),
+      sdk::IntegerParameter("exploration_seed", "1", 1, 1e9, "of the random choices")};
 }
 
 LayerLearning::LayerLearning(const sdk::Parameters& parameters)
