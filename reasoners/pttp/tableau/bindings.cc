@@ -47,7 +47,8 @@ bool Bindings::MeetOpen(const HeadOperation& operation, std::uint32_t base, Cell
 }
 
 bool Bindings::RunHead(const HeadOperation* operation, std::uint32_t base, std::uint32_t at) {
-  std::array<std::uint32_t, kMostNested> up{};
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written before it is read
+  std::array<std::uint32_t, kMostNested> up;
   std::uint32_t nested = 0;
   for (;; ++operation) {
     if (operation->step == HeadStep::kFirst) {

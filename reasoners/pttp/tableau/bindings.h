@@ -174,7 +174,8 @@ class Bindings {
   Cell Make(TermCode made_by, std::uint32_t base);
   void LookUpProbes(const MatrixLiteral& goal, std::uint32_t base, const Cell* arguments,
                     Fingerprint& print) const {
-    std::array<Cell, Fingerprint::kPlaces> terms{};
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): a place is looked up after that above
+    std::array<Cell, Fingerprint::kPlaces> terms;
     for (const Probe* probe = goal.probes; probe != goal.probes_end; ++probe) {
       const Cell term = LookUp(*probe, base, arguments, terms.data());
       terms[probe->place] = term;
