@@ -26,25 +26,48 @@ std::optional<logic::PredicateName> ReadName(AgentCheck& check, const Attribute&
   return std::nullopt;
 }
 
+std::uint32_t ReadNumber(const Element& element, std::string_view name, std::uint32_t otherwise) {
+  const Attribute* const attribute = element.Find(name);
+  if (attribute == nullptr) return otherwise;
+  const char* const end = attribute->value.data() + attribute->value.size();
+  std::from_chars(attribute->value.data(), end, otherwise);
+  return otherwise;
+}
+
+void Take(const Element& element, const logic::PredicateName& name, LayerDescription& description) {
+  if (element.name == "minimize") {
+    description.minimized.push_back(
+        {name, ReadNumber(element, "depth", 0), ReadNumber(element, "priority", 1)});
+  } else {
+    (element.name == "vary" ? description.varied : description.fixed).push_back(name);
+  }
+}
+
 }  // namespace
 
 void CheckMinimized(AgentCheck& check, const Element& layer, LayerDescription& description) {
+  struct Role {
+    logic::PredicateName name;
+    std::string_view role;
+  };
+  std::vector<Role> roles;
   for (const Element& child : layer.children) {
     const Attribute* predicate = child.Find("predicate");
-    if (child.name != "minimize" || predicate == nullptr) continue;
+    if (predicate == nullptr) continue;
     const auto name = ReadName(check, *predicate);
     if (!name) continue;
-    sdk::Minimized minimized{*name, 0};
-    if (const Attribute* depth = child.Find("depth")) {
-      const char* const end = depth->value.data() + depth->value.size();
-      std::from_chars(depth->value.data(), end, minimized.depth);
-    }
-    if (std::ranges::find(description.minimized, *name, &sdk::Minimized::predicate) !=
-        description.minimized.end()) {
-      check.Say(predicate->place, fmt::format("'{}' is minimized twice", predicate->value));
+    const auto known = std::ranges::find(roles, *name, &Role::name);
+    if (known == roles.end()) {
+      roles.push_back({*name, child.name});
+      Take(child, *name, description);
       continue;
     }
-    description.minimized.push_back(minimized);
+    check.Say(predicate->place,
+              known->role == child.name
+                  ? fmt::format("<{}> names '{}' twice", child.name, predicate->value)
+                  : fmt::format("'{}' stands in <{}> and in <{}>", predicate->value, known->role,
+                                child.name),
+              known->role == child.name ? "" : "a predicate is minimized, fixed, or varies");
   }
 }
 

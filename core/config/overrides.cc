@@ -86,7 +86,7 @@ void MergeIntoWorld(AgentCheck& check, Element& world, const Element& given) {
   for (const Element& child : given.children) {
     if (child.name == "param") {
       world.children.push_back(child);
-    } else if (child.name == "reasoner" || child.name == "minimize" || child.name == "fallback") {
+    } else {
       check.Say(child.place, fmt::format("the world has no <{}>", child.name),
                 "it takes <param> only");
     }

@@ -55,6 +55,8 @@ constexpr std::string_view kAgentSchema = R"xsd(<?xml version="1.0" encoding="UT
       <xs:element name="param" type="Param"/>
       <xs:element name="reasoner" type="Reasoner"/>
       <xs:element name="minimize" type="Minimize"/>
+      <xs:element name="vary" type="Predicate"/>
+      <xs:element name="fix" type="Predicate"/>
       <xs:element name="fallback" type="Fallback"/>
     </xs:choice>
     <xs:attribute name="name" type="Name" use="required"/>
@@ -68,6 +70,8 @@ constexpr std::string_view kAgentSchema = R"xsd(<?xml version="1.0" encoding="UT
       <xs:element name="param" type="Param"/>
       <xs:element name="reasoner" type="Reasoner"/>
       <xs:element name="minimize" type="Minimize"/>
+      <xs:element name="vary" type="Predicate"/>
+      <xs:element name="fix" type="Predicate"/>
       <xs:element name="fallback" type="Fallback"/>
     </xs:choice>
     <xs:attribute name="part" type="Name" use="required"/>
@@ -91,6 +95,10 @@ constexpr std::string_view kAgentSchema = R"xsd(<?xml version="1.0" encoding="UT
   <xs:complexType name="Minimize">
     <xs:attribute name="predicate" type="xs:string" use="required"/>
     <xs:attribute name="depth" type="Depth"/>
+    <xs:attribute name="priority" type="Priority"/>
+  </xs:complexType>
+  <xs:complexType name="Predicate">
+    <xs:attribute name="predicate" type="xs:string" use="required"/>
   </xs:complexType>
   <xs:complexType name="Fallback">
     <xs:choice minOccurs="0" maxOccurs="unbounded">
@@ -105,6 +113,7 @@ constexpr std::string_view kAgentSchema = R"xsd(<?xml version="1.0" encoding="UT
     <xs:attribute name="from" type="Port" use="required"/>
     <xs:attribute name="to" type="Port" use="required"/>
     <xs:attribute name="stale-after" type="Duration"/>
+    <xs:attribute name="transfer" type="Transfer"/>
   </xs:complexType>
   <xs:complexType name="Inhibit">
     <xs:attribute name="by" type="Port" use="required"/>
@@ -127,6 +136,14 @@ constexpr std::string_view kAgentSchema = R"xsd(<?xml version="1.0" encoding="UT
   <xs:simpleType name="Duration">
     <xs:annotation><xs:documentation>a duration (a number and us, ms, s, min or h, as in 100ms, 1.5s or 2min)</xs:documentation></xs:annotation>
     <xs:restriction base="xs:string"><xs:pattern value="[0-9]{1,9}us|[0-9]{1,9}(\.[0-9]{1,3})?ms|[0-9]{1,9}(\.[0-9]{1,6})?(s|min|h)"/></xs:restriction>
+  </xs:simpleType>
+  <xs:simpleType name="Transfer">
+    <xs:annotation><xs:documentation>what a wire hands down besides proved goals (single: nothing; open: undecided goals; refined: and the states that they may be in together)</xs:documentation></xs:annotation>
+    <xs:restriction base="xs:string"><xs:pattern value="single|open|refined"/></xs:restriction>
+  </xs:simpleType>
+  <xs:simpleType name="Priority">
+    <xs:annotation><xs:documentation>a priority (1 to 999; 1 is minimized first)</xs:documentation></xs:annotation>
+    <xs:restriction base="xs:string"><xs:pattern value="[1-9][0-9]{0,2}"/></xs:restriction>
   </xs:simpleType>
   <xs:simpleType name="Inferences">
     <xs:annotation><xs:documentation>a number of inferences (a positive integer of up to 18 digits)</xs:documentation></xs:annotation>

@@ -30,10 +30,16 @@ class WireCheck {
     if (!target) NoteUnresolved(to);
     if (target && target->spec != nullptr) CheckTarget(*to, target->address, element.place);
     if (!source || !target) return;
-    Wire wire{source->address, target->address, std::nullopt, element.place};
+    Wire wire{source->address, target->address, std::nullopt, ReadTransfer(element), element.place};
     if (CheckDirection(element, wire)) CheckFit(element, *source, *target);
     wire.stale_after = CheckStaleAfter(element, wire.from.part);
     check_.agent.wires.push_back(std::move(wire));
+  }
+
+  static Transfer ReadTransfer(const Element& element) {
+    const Attribute* const attribute = element.Find("transfer");
+    if (attribute == nullptr || attribute->value == "open") return Transfer::kOpen;
+    return attribute->value == "single" ? Transfer::kSingle : Transfer::kRefined;
   }
 
   void CheckFit(const Element& element, const FoundPort& source, const FoundPort& target) {

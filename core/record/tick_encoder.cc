@@ -90,6 +90,7 @@ void TickEncoder::Latched(const schedule::TickRecord& record) {
     }
     json_.Key("facts");
     json_.Facts(each.facts);
+    if (each.undecided != nullptr && !each.undecided->facts.empty()) Undecided(*each.undecided);
     NumberMember("version", each.version);
     json_.End('}');
   }
@@ -118,7 +119,11 @@ void TickEncoder::Decision(const schedule::DecisionRecord& record) {
   TextMember("layer", layer.name);
   TextMember("status", sdk::Name(decision.status));
   if (decision.limit != sdk::Limit::kNone) TextMember("limit", sdk::Name(decision.limit));
-  json_.Member("conclusions", '[', ']', [&] { Conclusions(layer, decision); });
+  json_.Member("conclusions", '[', ']', [&] { Conclusions(layer, decision.conclusions); });
+  if (!decision.undecided.empty()) {
+    json_.Member("undecided", '[', ']', [&] { Conclusions(layer, decision.undecided); });
+    if (!decision.states.empty()) States(decision.states);
+  }
   json_.Member("assumptions", '[', ']', [&] { Assumptions(decision); });
   NumberMember("inferences", decision.statistics.inferences);
   NumberMember("depth", decision.statistics.depth);
@@ -128,8 +133,28 @@ void TickEncoder::Decision(const schedule::DecisionRecord& record) {
   json_.End('}');
 }
 
-void TickEncoder::Conclusions(const Layer& layer, const sdk::Decision& decision) {
-  for (const sdk::Conclusion& conclusion : decision.conclusions) {
+void TickEncoder::Undecided(const sdk::Undecided& undecided) {
+  json_.Key("undecided");
+  json_.Facts(undecided.facts);
+  if (!undecided.states.empty()) States(undecided.states);
+}
+
+void TickEncoder::States(const std::vector<sdk::GoalState>& states) {
+  json_.Member("states", '[', ']', [&] {
+    for (const sdk::GoalState& state : states) {
+      json_.Begin('[');
+      Indices(state);
+      json_.End(']');
+    }
+  });
+}
+
+void TickEncoder::Indices(const std::vector<std::size_t>& indices) {
+  for (const std::size_t index : indices) json_.Number(static_cast<std::uint64_t>(index));
+}
+
+void TickEncoder::Conclusions(const Layer& layer, const std::vector<sdk::Conclusion>& conclusions) {
+  for (const sdk::Conclusion& conclusion : conclusions) {
     json_.Begin('{');
     // What a faulty reasoner names as its goal need not exist.
     if (conclusion.goal < layer.goal_ports.size()) {
@@ -137,11 +162,7 @@ void TickEncoder::Conclusions(const Layer& layer, const sdk::Decision& decision)
     }
     json_.Key("fact");
     json_.Fact(conclusion.fact);
-    json_.Member("rests_on", '[', ']', [&] {
-      for (const std::size_t index : conclusion.assumptions) {
-        json_.Number(static_cast<std::uint64_t>(index));
-      }
-    });
+    json_.Member("rests_on", '[', ']', [&] { Indices(conclusion.assumptions); });
     json_.End('}');
   }
 }

@@ -36,7 +36,10 @@ class TickEncoder {
   void Latched(const schedule::TickRecord& record);
   void Refused(const schedule::TickRecord& record);
   void Decision(const schedule::DecisionRecord& record);
-  void Conclusions(const Layer& layer, const sdk::Decision& decision);
+  void Undecided(const sdk::Undecided& undecided);
+  void States(const std::vector<sdk::GoalState>& states);
+  void Indices(const std::vector<std::size_t>& indices);
+  void Conclusions(const Layer& layer, const std::vector<sdk::Conclusion>& conclusions);
   void Assumptions(const sdk::Decision& decision);
   void Said(const Layer& layer, const schedule::DecisionRecord& record);
   void Inhibited(const schedule::TickRecord& record);

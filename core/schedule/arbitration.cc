@@ -98,13 +98,21 @@ void Arbitration::Address(std::uint64_t tick, const Deliver& deliver, TickRecord
   for (const config::Wire& wire : wires_) {
     const LayerState& state = layers_[wire.from.part];
     if (!state.leaves || state.inhibited[wire.from.port]) continue;
-    const std::vector<logic::Fact>& batch = state.leaving.said[wire.from.port].facts;
+    const sdk::Batch& batch = state.leaving.said[wire.from.port];
     if (wire.to.part == PortAddress::kWorld) {
-      Tell(wire.to, tick, batch, record);
+      Tell(wire.to, tick, batch.facts, record);
     } else {
-      deliver(wire.to, batch, tick + 1);
+      deliver(wire.to, HandDown(batch, wire.transfer), tick + 1);
     }
   }
+}
+
+const sdk::Batch& Arbitration::HandDown(const sdk::Batch& batch, config::Transfer transfer) {
+  if (batch.undecided.facts.empty() || transfer == config::Transfer::kRefined) return batch;
+  handed_ = batch;
+  handed_.undecided.states.clear();
+  if (transfer == config::Transfer::kSingle) handed_.undecided.facts.clear();
+  return handed_;
 }
 
 void Arbitration::Tell(const PortAddress& to, std::uint64_t tick,

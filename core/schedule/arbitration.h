@@ -21,8 +21,8 @@ namespace latchwork::schedule {
 class Arbitration {
  public:
   /// Receives a batch addressed to the latch of a layer.
-  using Deliver = std::function<void(const config::PortAddress& to,
-                                     std::span<const logic::Fact> batch, std::uint64_t arrival)>;
+  using Deliver = std::function<void(const config::PortAddress& to, const sdk::Batch& batch,
+                                     std::uint64_t arrival)>;
 
   explicit Arbitration(const Agent& agent);
 
@@ -65,6 +65,8 @@ class Arbitration {
   void TakeDue(std::uint64_t tick);
   void Inhibit(std::uint64_t tick, TickRecord& record);
   void Address(std::uint64_t tick, const Deliver& deliver, TickRecord& record);
+  /// As much of a batch as the wire hands down.
+  const sdk::Batch& HandDown(const sdk::Batch& batch, config::Transfer transfer);
   void Tell(const config::PortAddress& to, std::uint64_t tick,
             const std::vector<logic::Fact>& batch, TickRecord& record);
   void Silence(std::uint64_t tick);
@@ -75,6 +77,7 @@ class Arbitration {
   std::vector<Spoken> sensors_;
   std::vector<EffectorState> effectors_;
   std::vector<sdk::Batch> commands_;
+  sdk::Batch handed_;
 };
 
 }  // namespace latchwork::schedule

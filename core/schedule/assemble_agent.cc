@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "core/schedule/contain.h"
@@ -9,6 +10,19 @@
 
 namespace latchwork::schedule {
 namespace {
+
+/// What the agent file says of predicates goes before what the layer says.
+void SetRoles(const config::LayerDescription& description, sdk::Body& body) {
+  if (!description.minimized.empty()) body.minimized = description.minimized;
+  if (!description.fixed.empty()) body.fixed = description.fixed;
+  std::erase_if(body.minimized, [&](const sdk::Minimized& each) {
+    const auto is_it = [&](const logic::PredicateName& name) { return name == each.predicate; };
+    return std::ranges::any_of(description.varied, is_it) || std::ranges::any_of(body.fixed, is_it);
+  });
+  std::erase_if(body.fixed, [&](const logic::PredicateName& name) {
+    return std::ranges::find(description.varied, name) != description.varied.end();
+  });
+}
 
 /// Collects the parts of an agent and everything that is wrong with them.
 class Assembly {
@@ -79,7 +93,7 @@ void Assembly::MakeLayer(const config::LayerDescription& description) {
     layer.body = layer.layer->MakeBody(
         description.language, description.parameters,
         factory_.data_folder(sdk::PluginKind::kLayer, description.plugin), *agent_.symbols);
-    if (!description.minimized.empty()) layer.body.minimized = description.minimized;
+    SetRoles(description, layer.body);
     TakeFallback(description, layer);
     if (CheckGoals(description, layer)) Load(description, layer);
   });

@@ -21,11 +21,40 @@ LatchSet::LatchSet(const std::vector<Input>& inputs, logic::SymbolTable& symbols
   }
 }
 
-void LatchSet::Offer(std::size_t port, std::span<const logic::Fact> batch, std::uint64_t tick) {
+const logic::Fact& LatchSet::Content::At(std::size_t index) const {
+  return index < facts.size() ? facts[index] : undecided.facts[index - facts.size()];
+}
+
+void LatchSet::Content::Drop(std::span<const std::size_t> indices) {
+  const auto split = std::lower_bound(indices.begin(), indices.end(), facts.size());
+  std::vector<std::size_t> of_undecided(split, indices.end());
+  for (std::size_t& index : of_undecided) index -= facts.size();
+  std::size_t next = 0;
+  std::erase_if(facts, [&](const logic::Fact&) {
+    return std::binary_search(indices.begin(), split, next++);
+  });
+  undecided.Drop(of_undecided);
+}
+
+void LatchSet::Content::Swap(sdk::Latch& latch) {
+  facts.swap(latch.facts);
+  std::swap(undecided, latch.undecided);
+}
+
+void LatchSet::Offer(std::size_t port, const sdk::Batch& batch, std::uint64_t tick) {
   Slot& slot = slots_[port];
-  slot.arriving.clear();
-  std::copy_if(batch.begin(), batch.end(), std::back_inserter(slot.arriving),
+  slot.arriving.facts.clear();
+  std::copy_if(batch.facts.begin(), batch.facts.end(), std::back_inserter(slot.arriving.facts),
                [&](const logic::Fact& fact) { return slot.contract.Declares(fact); });
+  slot.arriving.undecided.Clear();
+  if (!batch.undecided.facts.empty()) {
+    slot.arriving.undecided = batch.undecided;
+    indices_.clear();
+    for (std::size_t i = 0; i < batch.undecided.facts.size(); ++i) {
+      if (!slot.contract.Declares(batch.undecided.facts[i])) indices_.push_back(i);
+    }
+    slot.arriving.undecided.Drop(indices_);
+  }
   slot.arrived = true;
   slot.arrival = tick;
 }
@@ -50,7 +79,7 @@ void LatchSet::Settle(std::uint64_t tick, sdk::Reasoner& reasoner, const sdk::Bu
     if (slot.due) {
       Admit(port, reasoner, budget, result);
     } else {
-      latches_[port].facts.swap(slot.content);
+      slot.content.Swap(latches_[port]);
     }
   }
 }
@@ -60,20 +89,29 @@ void LatchSet::Settle(std::uint64_t tick, sdk::Reasoner& reasoner, const sdk::Bu
 void LatchSet::TakeBatch(std::size_t port, std::uint64_t tick, Settlement& result) {
   Slot& slot = slots_[port];
   if (slot.arrived) {
-    std::erase_if(slot.arriving, [&](const logic::Fact& fact) {
-      std::string offence = slot.contract.Offence(fact);
-      if (offence.empty()) return false;
-      result.refused.push_back({port, fact, std::move(offence)});
-      return true;
-    });
+    RefuseOffences(port, result);
     slot.changed = slot.changed || slot.arriving != slot.batch;
-    slot.batch.swap(slot.arriving);
+    std::swap(slot.batch, slot.arriving);
   }
   slot.stale = slot.stale_after && tick - slot.arrival >= *slot.stale_after &&
                tick > slot.arrival && !slot.batch.empty();
   if (!slot.stale) return;
-  slot.batch.clear();
+  slot.batch.facts.clear();
+  slot.batch.undecided.Clear();
   slot.changed = true;
+}
+
+void LatchSet::RefuseOffences(std::size_t port, Settlement& result) {
+  Slot& slot = slots_[port];
+  indices_.clear();
+  const std::size_t size = slot.arriving.facts.size() + slot.arriving.undecided.facts.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    std::string offence = slot.contract.Offence(slot.arriving.At(i));
+    if (offence.empty()) continue;
+    result.refused.push_back({port, slot.arriving.At(i), std::move(offence)});
+    indices_.push_back(i);
+  }
+  if (!indices_.empty()) slot.arriving.Drop(indices_);
 }
 
 /// A sensor batch is checked when it differs from the one before, when its last check failed, or
@@ -98,8 +136,9 @@ void LatchSet::Hide(bool inputs) {
   for (std::size_t port = 0; port < slots_.size(); ++port) {
     Slot& slot = slots_[port];
     if (!(slot.from_sensor ? slot.due : inputs)) continue;
-    slot.content.swap(latches_[port].facts);
+    slot.content.Swap(latches_[port]);
     latches_[port].facts.clear();
+    latches_[port].undecided.Clear();
   }
 }
 
@@ -110,19 +149,16 @@ void LatchSet::Admit(std::size_t port, sdk::Reasoner& reasoner, const sdk::Budge
   indices_.clear();
   slot.context = ContextOf(port);
   if (!slot.batch.empty()) {
-    const auto problem =
-        Contain([&] { reasoner.Admit(latches_, port, slot.batch, budget, refusals_); });
-    if (problem) {
+    if (const auto problem = Contain([&] { Check(port, reasoner, budget); })) {
       result.problems.push_back(*problem);
       slot.context = kNever;
       refusals_.clear();
-      for (std::size_t i = 0; i < slot.batch.size(); ++i) {
+      for (std::size_t i = 0; i < slot.batch.facts.size() + slot.batch.undecided.facts.size();
+           ++i) {
         refusals_.push_back({i, "its check failed: " + *problem});
       }
     }
   }
-  std::erase_if(refusals_,
-                [&](const sdk::Refusal& each) { return each.index >= slot.batch.size(); });
   for (const sdk::Refusal& each : refusals_) indices_.push_back(each.index);
   std::sort(indices_.begin(), indices_.end());
   if (slot.changed || indices_ != slot.refused) Report(port, refusals_, result);
@@ -131,25 +167,43 @@ void LatchSet::Admit(std::size_t port, sdk::Reasoner& reasoner, const sdk::Budge
   slot.changed = false;
 }
 
+/// Undecided facts need not agree with each other, only with the others.
+void LatchSet::Check(std::size_t port, sdk::Reasoner& reasoner, const sdk::Budget& budget) {
+  const Content& batch = slots_[port].batch;
+  if (!batch.facts.empty()) reasoner.Admit(latches_, port, batch.facts, budget, refusals_);
+  std::erase_if(refusals_,
+                [&](const sdk::Refusal& each) { return each.index >= batch.facts.size(); });
+  if (batch.undecided.facts.empty()) return;
+  trial_ = batch.facts;
+  const std::size_t last = trial_.size();
+  for (std::size_t i = 0; i < batch.undecided.facts.size(); ++i) {
+    trial_.push_back(batch.undecided.facts[i]);
+    found_.clear();
+    reasoner.Admit(latches_, port, trial_, budget, found_);
+    trial_.pop_back();
+    for (sdk::Refusal& each : found_) {
+      if (each.index == last) refusals_.push_back({last + i, std::move(each.reason)});
+    }
+  }
+}
+
 void LatchSet::Report(std::size_t port, const std::vector<sdk::Refusal>& refused,
                       Settlement& result) {
   for (const sdk::Refusal& each : refused) {
-    result.refused.push_back({port, slots_[port].batch[each.index], each.reason});
+    result.refused.push_back({port, slots_[port].batch.At(each.index), each.reason});
   }
 }
 
 void LatchSet::Enter(std::size_t port, const std::vector<std::size_t>& refused,
                      Settlement& result) {
   Slot& slot = slots_[port];
-  entering_.clear();
-  for (std::size_t i = 0; i < slot.batch.size(); ++i) {
-    if (!std::binary_search(refused.begin(), refused.end(), i)) entering_.push_back(slot.batch[i]);
-  }
+  entering_ = slot.batch;
+  if (!refused.empty()) entering_.Drop(refused);
   if (entering_ == slot.content) {
-    latches_[port].facts.swap(slot.content);
+    slot.content.Swap(latches_[port]);
     return;
   }
-  latches_[port].facts.swap(entering_);
+  entering_.Swap(latches_[port]);
   ++latches_[port].version;
   result.changes.push_back({port, slot.stale});
 }

@@ -13,6 +13,7 @@
 #include "core/schedule/port_contract.h"
 #include "latchwork/logic/atom.h"
 #include "latchwork/sdk/reasoner.h"
+#include "latchwork/sdk/world.h"
 
 namespace latchwork::schedule {
 
@@ -51,7 +52,7 @@ class LatchSet {
   LatchSet(const std::vector<Input>& inputs, logic::SymbolTable& symbols);
 
   /// A batch that arrives at `tick`. Facts that the port does not declare stay behind.
-  void Offer(std::size_t port, std::span<const logic::Fact> batch, std::uint64_t tick);
+  void Offer(std::size_t port, const sdk::Batch& batch, std::uint64_t tick);
   /// Brings the latches up to date for a cycle at `tick`; overwrites `result`.
   void Settle(std::uint64_t tick, sdk::Reasoner& reasoner, const sdk::Budget& budget,
               Settlement& result);
@@ -60,6 +61,18 @@ class LatchSet {
 
  private:
   static constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
+
+  struct Content {
+    std::vector<logic::Fact> facts;
+    sdk::Undecided undecided;
+
+    bool empty() const { return facts.empty() && undecided.facts.empty(); }
+    /// The undecided facts are numbered after the others.
+    const logic::Fact& At(std::size_t index) const;
+    void Drop(std::span<const std::size_t> indices);
+    void Swap(sdk::Latch& latch);
+    friend bool operator==(const Content&, const Content&) = default;
+  };
 
   struct Slot {
     Slot(const Input& input, logic::SymbolTable& symbols)
@@ -70,9 +83,9 @@ class LatchSet {
     PortContract contract;
     bool from_sensor = false;
     std::optional<std::uint64_t> stale_after;
-    std::vector<logic::Fact> arriving;
-    std::vector<logic::Fact> batch;    ///< The last one that keeps the contract.
-    std::vector<logic::Fact> content;  ///< The latch's, while it is hidden from Admit.
+    Content arriving;
+    Content batch;                     ///< The last one that keeps the contract.
+    Content content;                   ///< The latch's, while it is hidden from Admit.
     std::vector<std::size_t> refused;  ///< Of `batch`, when it was last checked.
     std::uint64_t arrival = 0;
     std::uint64_t context = kNever;  ///< ContextOf at that time.
@@ -85,8 +98,10 @@ class LatchSet {
   void TakeBatch(std::size_t port, std::uint64_t tick, Settlement& result);
   bool MarkSensors();
   void Hide(bool inputs);
+  void RefuseOffences(std::size_t port, Settlement& result);
   void Admit(std::size_t port, sdk::Reasoner& reasoner, const sdk::Budget& budget,
              Settlement& result);
+  void Check(std::size_t port, sdk::Reasoner& reasoner, const sdk::Budget& budget);
   void Enter(std::size_t port, const std::vector<std::size_t>& refused, Settlement& result);
   void Report(std::size_t port, const std::vector<sdk::Refusal>& refused, Settlement& result);
   std::uint64_t ContextOf(std::size_t port) const;
@@ -95,7 +110,9 @@ class LatchSet {
   std::vector<sdk::Latch> latches_;
   std::vector<sdk::Refusal> refusals_;
   std::vector<std::size_t> indices_;
-  std::vector<logic::Fact> entering_;
+  std::vector<logic::Fact> trial_;
+  std::vector<sdk::Refusal> found_;
+  Content entering_;
 };
 
 }  // namespace latchwork::schedule

@@ -72,7 +72,17 @@ void LayerRunner::Cycle(std::uint64_t tick) {
 
 void LayerRunner::Decide() {
   const auto begin = Clock::now();
-  thrown_ = Contain([&] { layer_.reasoner->Decide(latches_.latches(), budget_, decision_); });
+  sdk::Reasoner& reasoner = *layer_.reasoner;
+  const auto latches = latches_.latches();
+  const bool is_decided = std::ranges::all_of(
+      latches, [](const sdk::Latch& latch) { return latch.undecided.facts.empty(); });
+  thrown_ = Contain([&] {
+    if (is_decided || reasoner.takes_undecided()) {
+      reasoner.Decide(latches, budget_, decision_);
+    } else {
+      each_state_.Decide(reasoner, latches, budget_, decision_);
+    }
+  });
   wall_ = Clock::now() - begin;
   if (!thrown_) return;
   decision_.Clear();
@@ -99,37 +109,76 @@ std::optional<LayerRunner::Problem> LayerRunner::Judge(bool cancelled) const {
 }
 
 std::optional<LayerRunner::Problem> LayerRunner::JudgeConclusions() const {
-  for (const sdk::Conclusion& each : decision_.conclusions) {
-    if (each.goal >= layer_.body.goals.size()) {
-      return Problem{FaultKind::kBadConclusion,
-                     fmt::format("{} belongs to goal {}, but there are only {}",
-                                 logic::ToString(each.fact), each.goal, layer_.body.goals.size())};
+  for (const auto* list : {&decision_.conclusions, &decision_.undecided}) {
+    for (const sdk::Conclusion& each : *list) {
+      if (auto problem = JudgeConclusion(each)) return problem;
     }
-    std::string offence = outputs_[layer_.body.goals[each.goal].port].Offence(each.fact);
-    if (!offence.empty()) {
-      return Problem{FaultKind::kBadConclusion,
-                     fmt::format("{}: {}", logic::ToString(each.fact), offence)};
-    }
-    const bool known = std::all_of(each.assumptions.begin(), each.assumptions.end(),
-                                   [&](std::size_t i) { return i < decision_.assumptions.size(); });
+  }
+  for (const sdk::GoalState& state : decision_.states) {
+    const bool known = std::ranges::all_of(
+        state, [&](std::size_t index) { return index < decision_.undecided.size(); });
     if (!known) {
       return Problem{FaultKind::kBadConclusion,
-                     fmt::format("{} rests on an assumption that the decision does not list",
-                                 logic::ToString(each.fact))};
+                     "a state holds a goal that is not among the undecided ones"};
     }
   }
   return std::nullopt;
+}
+
+std::optional<LayerRunner::Problem> LayerRunner::JudgeConclusion(
+    const sdk::Conclusion& each) const {
+  if (each.goal >= layer_.body.goals.size()) {
+    return Problem{FaultKind::kBadConclusion,
+                   fmt::format("{} belongs to goal {}, but there are only {}",
+                               logic::ToString(each.fact), each.goal, layer_.body.goals.size())};
+  }
+  std::string offence = outputs_[layer_.body.goals[each.goal].port].Offence(each.fact);
+  if (!offence.empty()) {
+    return Problem{FaultKind::kBadConclusion,
+                   fmt::format("{}: {}", logic::ToString(each.fact), offence)};
+  }
+  const bool known = std::all_of(each.assumptions.begin(), each.assumptions.end(),
+                                 [&](std::size_t i) { return i < decision_.assumptions.size(); });
+  if (known) return std::nullopt;
+  return Problem{FaultKind::kBadConclusion,
+                 fmt::format("{} rests on an assumption that the decision does not list",
+                             logic::ToString(each.fact))};
 }
 
 void LayerRunner::Say(bool fallback) {
   for (std::size_t port = 0; port < said_.size(); ++port) {
     said_[port].updated = true;
     said_[port].facts.clear();
+    said_[port].undecided.Clear();
     if (fallback) said_[port].facts = layer_.fallback[port];
   }
   if (fallback) return;
   for (const sdk::Conclusion& each : decision_.conclusions) {
     said_[layer_.body.goals[each.goal].port].facts.push_back(each.fact);
+  }
+  if (!decision_.undecided.empty()) SayUndecided();
+}
+
+/// Each port gets its own goals, and its share of every state.
+void LayerRunner::SayUndecided() {
+  std::vector<std::size_t> places;
+  for (const sdk::Conclusion& each : decision_.undecided) {
+    std::vector<logic::Fact>& facts = said_[layer_.body.goals[each.goal].port].undecided.facts;
+    places.push_back(facts.size());
+    facts.push_back(each.fact);
+  }
+  for (std::size_t port = 0; port < said_.size(); ++port) {
+    sdk::Undecided& undecided = said_[port].undecided;
+    if (undecided.facts.empty()) continue;
+    for (const sdk::GoalState& state : decision_.states) {
+      sdk::GoalState& share = undecided.states.emplace_back();
+      for (const std::size_t index : state) {
+        if (layer_.body.goals[decision_.undecided[index].goal].port == port) {
+          share.push_back(places[index]);
+        }
+      }
+    }
+    sdk::Unite(undecided.states);
   }
 }
 

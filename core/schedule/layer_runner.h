@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/schedule/each_state.h"
 #include "core/schedule/latch_set.h"
 #include "core/schedule/layer_tally.h"
 #include "core/schedule/port_contract.h"
@@ -52,7 +53,9 @@ class LayerRunner {
   void Decide();
   std::optional<Problem> Judge(bool cancelled) const;
   std::optional<Problem> JudgeConclusions() const;
+  std::optional<Problem> JudgeConclusion(const sdk::Conclusion& each) const;
   void Say(bool fallback);
+  void SayUndecided();
   void AddFault(std::uint64_t tick, FaultKind kind, std::string message);
 
   const config::LayerDescription& description_;
@@ -61,6 +64,7 @@ class LayerRunner {
   Watchdog& watchdog_;
   sdk::Budget budget_;
   LatchSet latches_;
+  EachState each_state_;
   std::vector<PortContract> outputs_;
   LayerTally tally_;
 

@@ -89,10 +89,9 @@ Lockstep::Implementation::Implementation(Agent agent, LockstepOptions options)
       arbitration_(agent_),
       pool_(options_.threads),
       cycle_([this](std::size_t i) { runners_[due_[i]]->Cycle(tick_); }),
-      deliver_(
-          [this](const PortAddress& to, std::span<const logic::Fact> batch, std::uint64_t arrival) {
-            runners_[to.part]->latches().Offer(to.port, batch, arrival);
-          }),
+      deliver_([this](const PortAddress& to, const sdk::Batch& batch, std::uint64_t arrival) {
+        runners_[to.part]->latches().Offer(to.port, batch, arrival);
+      }),
       sensors_(agent_.world->contract().outputs.size()),
       over_(max_ticks_ == 0) {
   for (std::size_t i = 0; i < agent_.layers.size(); ++i) {
@@ -159,7 +158,7 @@ void Lockstep::Implementation::Deliver() {
   for (const config::Wire& wire : agent_.description.wires) {
     if (wire.from.part != PortAddress::kWorld || wire.to.part == PortAddress::kWorld) continue;
     const sdk::Batch& batch = sensors_[wire.from.port];
-    if (batch.updated) runners_[wire.to.part]->latches().Offer(wire.to.port, batch.facts, tick_);
+    if (batch.updated) runners_[wire.to.part]->latches().Offer(wire.to.port, batch, tick_);
   }
 }
 
@@ -179,7 +178,8 @@ void Lockstep::Implementation::CollectCycles() {
     const auto latches = runner.latches().latches();
     for (const Settlement::Change& change : runner.settlement().changes) {
       const sdk::Latch& latch = latches[change.port];
-      record_.latched.push_back({layer, change.port, latch.version, change.stale, latch.facts});
+      record_.latched.push_back(
+          {layer, change.port, latch.version, change.stale, latch.facts, &latch.undecided});
     }
     for (const Settlement::Refused& refused : runner.settlement().refused) {
       record_.refused.push_back({{layer, refused.port}, refused.fact, refused.reason});

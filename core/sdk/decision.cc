@@ -9,6 +9,8 @@ void Decision::Clear() {
   status = Status::kFailed;
   limit = Limit::kNone;
   conclusions.clear();
+  undecided.clear();
+  states.clear();
   assumptions.clear();
   statistics = Statistics{};
   message.clear();

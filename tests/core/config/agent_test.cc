@@ -34,16 +34,19 @@ TEST_F(AgentTest, ResolvesAGoodFile) {
   EXPECT_EQ(agent.wires[1].to, (PortAddress{0, 1}));
   EXPECT_EQ(agent.wires[1].stale_after, 6U);
   EXPECT_EQ(agent.wires[3].stale_after, std::nullopt);
+  EXPECT_EQ(agent.wires[3].transfer, Transfer::kOpen);
   ASSERT_EQ(agent.events.size(), 1U);
   EXPECT_EQ(agent.events[0].tick, 300U);
   EXPECT_EQ(logic::ToString(agent.events[0].fact), "out_of_order(e2)");
 }
 
 TEST_F(AgentTest, ReadsFallbackMinimizedAndInhibition) {
-  std::string text = GoodAgentWith("</layer>",
-                                   "<minimize predicate=\"halt_robot/0\" depth=\"9\"/>"
-                                   "<fallback><fact port=\"motion\">halt</fact>"
-                                   "<fact port=\"motion\"> turn(0.5) </fact></fallback></layer>");
+  std::string text =
+      GoodAgentWith("</layer>",
+                    "<minimize predicate=\"halt_robot/0\" depth=\"9\" priority=\"2\"/>"
+                    "<vary predicate=\"object/1\"/><fix predicate=\"echo/2\"/>"
+                    "<fallback><fact port=\"motion\">halt</fact>"
+                    "<fact port=\"motion\"> turn(0.5) </fact></fallback></layer>");
   text.insert(text.find("<event"), "<inhibit by=\"seek.push\" output=\"avoid.chatter\"/>");
   const AgentFile file = Read(text);
   ASSERT_TRUE(file.agent) << logic::Format(file.diagnostics);
@@ -51,6 +54,9 @@ TEST_F(AgentTest, ReadsFallbackMinimizedAndInhibition) {
   ASSERT_EQ(layer.minimized.size(), 1U);
   EXPECT_EQ(logic::ToString(layer.minimized[0].predicate), "halt_robot/0");
   EXPECT_EQ(layer.minimized[0].depth, 9U);
+  EXPECT_EQ(layer.minimized[0].priority, 2U);
+  EXPECT_EQ(layer.varied.size(), 1U);
+  EXPECT_EQ(layer.fixed.size(), 1U);
   ASSERT_TRUE(layer.fallback);
   ASSERT_EQ(layer.fallback->size(), 2U);
   EXPECT_EQ(logic::ToString(layer.fallback->at(1).fact), "turn(0.5)");

@@ -71,7 +71,11 @@ INSTANTIATE_TEST_SUITE_P(
              "halt/0 or halt/1]"},
         Case{"MinimizedTwice", "</layer>",
              "<minimize predicate=\"p/1\"/><minimize predicate=\"p/1\"/></layer>",
-             "5:49: 'p/1' is minimized twice"},
+             "5:49: <minimize> names 'p/1' twice"},
+        Case{"MinimizedAndFixed", "</layer>",
+             "<minimize predicate=\"p/1\"/><fix predicate=\"p/1\"/></layer>",
+             "5:44: 'p/1' stands in <minimize> and in <fix> [a predicate is minimized, fixed, or "
+             "varies]"},
         Case{"FallbackPort", "</layer>",
              "<fallback><fact port=\"mot\">halt</fact></fallback></layer>",
              "5:23: 'avoid' has no output 'mot' [there are motion, chatter]"},

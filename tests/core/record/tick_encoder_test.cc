@@ -60,6 +60,22 @@ TEST_F(TickEncoderTest, WritesTheFallback) {
             R"j("message":"out of work","fallback":{"motion":["halt"]}}]})j");
 }
 
+TEST_F(TickEncoderTest, WritesWhatIsUndecided) {
+  sdk::Decision decision;
+  decision.status = sdk::Status::kUnknown;
+  decision.undecided = {{0, fake_.Fact("halt"), {}}, {0, fake_.Fact("go"), {}}};
+  decision.states = {{}, {0, 1}};
+  record_.decisions = {{0, &decision, false, {}}};
+  const sdk::Undecided undecided = {{fake_.Fact("echo")}, {{0}}};
+  record_.latched = {{0, 0, 1, false, {}, &undecided}};
+  EXPECT_EQ(encoder_.Encode(record_),
+            R"j({"tick":0,"latched":[{"layer":"avoid","latch":"sonar","facts":[],)j"
+            R"j("undecided":["echo"],"states":[[0]],"version":1}],)j"
+            R"j("decisions":[{"layer":"avoid","status":"unknown",)j"
+            R"j("undecided":[{"port":"motion","fact":"halt"},{"port":"motion","fact":"go"}],)j"
+            R"j("states":[[],[0,1]],"inferences":0,"depth":0,"attachment_calls":0}]})j");
+}
+
 TEST_F(TickEncoderTest, WritesCommandsThatChange) {
   std::vector<sdk::Batch> commands(1);
   record_.commands = commands;

@@ -122,8 +122,8 @@ std::size_t FakeAgent::AddLayer(std::vector<sdk::PortSpec> inputs,
 }
 
 void FakeAgent::Wire(config::PortAddress from, config::PortAddress to,
-                     std::optional<std::uint64_t> stale_after) {
-  agent.wires.push_back({from, to, stale_after, {}});
+                     std::optional<std::uint64_t> stale_after, config::Transfer transfer) {
+  agent.wires.push_back({from, to, stale_after, transfer, {}});
 }
 
 logic::Fact FakeAgent::Fact(std::string_view predicate, std::initializer_list<logic::Term> terms) {

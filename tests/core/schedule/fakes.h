@@ -76,8 +76,10 @@ class FakeReasoner : public sdk::Reasoner {
   sdk::Body body;
   std::size_t admit_calls = 0;
   std::size_t decide_calls = 0;
+  bool takes = false;  ///< Undecided latch facts.
 
   std::string_view language() const override { return "fake"; }
+  bool takes_undecided() const override { return takes; }
   std::span<const sdk::ParameterSpec> parameters() const override { return {}; }
   logic::Diagnostics Load(const sdk::Body& given, const sdk::Parameters&,
                           logic::SymbolTable&) override;
@@ -98,7 +100,8 @@ class FakeAgent {
 
   std::size_t AddLayer(std::vector<sdk::PortSpec> inputs, std::vector<sdk::PortSpec> outputs);
   void Wire(config::PortAddress from, config::PortAddress to,
-            std::optional<std::uint64_t> stale_after = std::nullopt);
+            std::optional<std::uint64_t> stale_after = std::nullopt,
+            config::Transfer transfer = config::Transfer::kOpen);
 
   config::LayerDescription& description(std::size_t layer) { return agent.layers[layer]; }
   FakeLayer& layer(std::size_t index) { return *layers[index]; }

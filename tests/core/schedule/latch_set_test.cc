@@ -34,7 +34,7 @@ class LatchSetTest : public ::testing::Test {
   }
 
   void Offer(std::size_t port, std::vector<Fact> batch, std::uint64_t tick) {
-    latches.Offer(port, batch, tick);
+    latches.Offer(port, {true, std::move(batch), {}}, tick);
   }
   void Settle(std::uint64_t tick) { latches.Settle(tick, reasoner, {}, settlement); }
   std::string Held(std::size_t port) const { return Join(latches.latches()[port].facts); }

@@ -68,8 +68,10 @@ struct LayerDescription {
   std::uint64_t latency = 0;  ///< Ticks until conclusions arrive.
   sdk::Parameters parameters;
   ReasonerDescription reasoner;
-  std::string language;                   ///< Of the body that the reasoner reads.
-  std::vector<sdk::Minimized> minimized;  ///< Replaces the body's own list when not empty.
+  std::string language;                      ///< Of the body that the reasoner reads.
+  std::vector<sdk::Minimized> minimized;     ///< Replaces the body's own list when not empty.
+  std::vector<logic::PredicateName> varied;  ///< Not minimized, whatever the body says.
+  std::vector<logic::PredicateName> fixed;   ///< Replaces the body's own list when not empty.
   std::optional<std::vector<FallbackDescription>> fallback;  ///< Nothing: the layer's own.
   logic::SourcePlace place;
 };
@@ -82,6 +84,13 @@ struct PortAddress {
   friend bool operator==(const PortAddress&, const PortAddress&) = default;
 };
 
+/// What a wire hands down besides proved goals. Source: LSA, section 3.3.
+enum class Transfer : std::uint8_t {
+  kSingle,   ///< Nothing: the paper's. Unsound where the layer below takes silence for a no.
+  kOpen,     ///< Undecided goals, as such: what rests on either value is not concluded.
+  kRefined,  ///< And the joint states that they may be in: as exact as logic has it.
+};
+
 /// Facts that leave by `from` replace what `to` holds. Predicates that `to` does not declare stay
 /// behind.
 struct Wire {
@@ -89,6 +98,7 @@ struct Wire {
   PortAddress to;
   std::optional<std::uint64_t>
       stale_after;  ///< Ticks without a new batch after which the latch is emptied.
+  Transfer transfer = Transfer::kOpen;
   logic::SourcePlace place;
 };
 

@@ -31,6 +31,7 @@ struct LatchRecord {
   std::uint64_t version = 0;
   bool stale = false;  ///< Emptied because its source was silent for too long.
   std::span<const logic::Fact> facts;
+  const sdk::Undecided* undecided = nullptr;  ///< What may hold besides; never null in a run.
 };
 
 /// A fact that was kept out of a latch or away from an effector.

@@ -12,6 +12,7 @@
 
 #include "latchwork/logic/atom.h"
 #include "latchwork/logic/clause.h"
+#include "latchwork/sdk/undecided.h"
 
 namespace latchwork::sdk {
 
@@ -31,8 +32,8 @@ enum class Limit : std::uint8_t { kNone, kInferences, kDepth, kTime, kCancelled 
 enum class Status : std::uint8_t {
   kProved,   ///< Every goal was decided, at least one was proved.
   kRefuted,  ///< Every goal was decided, none can be proved: 'no'.
-  kUnknown,  ///< A limit ran out before a goal was decided: 'no time'. Conclusions found so far are
-             ///< given and sound.
+  kUnknown,  ///< A limit ran out before a goal was decided: 'no time'; or, with Limit::kNone, some
+             ///< goal is undecided. Conclusions found so far are given and sound.
   kInconsistent,  ///< Body and latches contradict each other; nothing is concluded.
   kFailed,        ///< The reasoner could not work: `message` says why; nothing is concluded.
 };
@@ -68,6 +69,9 @@ struct Decision {
   Status status = Status::kFailed;
   Limit limit = Limit::kNone;
   std::vector<Conclusion> conclusions;  ///< By goal, then in the order of discovery.
+  /// Instances of goals that are neither proved nor refuted, as far as the reasoner knows.
+  std::vector<Conclusion> undecided;
+  std::vector<GoalState> states;  ///< The joint states that `undecided` may be in; empty: any.
   std::vector<Assumption> assumptions;
   Statistics statistics;
   std::string message;

@@ -17,6 +17,7 @@
 #include "latchwork/sdk/contract.h"
 #include "latchwork/sdk/decision.h"
 #include "latchwork/sdk/parameters.h"
+#include "latchwork/sdk/undecided.h"
 
 namespace latchwork::sdk {
 
@@ -33,7 +34,8 @@ struct Goal {
 /// A predicate closed by circumscription: an instance that cannot be proved is assumed not to hold.
 struct Minimized {
   logic::PredicateName predicate;
-  std::uint32_t depth = 0;  ///< Bound of the closing proof; 0: the budget's.
+  std::uint32_t depth = 0;     ///< Bound of the closing proof; 0: the budget's.
+  std::uint32_t priority = 1;  ///< Level at which it is minimized; 1 comes first.
 };
 
 /// The part of a layer that does not change from cycle to cycle, in the language of some reasoner.
@@ -44,6 +46,7 @@ struct Body {
   std::vector<logic::PredicateName> inputs;  ///< What the latches may hold.
   std::vector<Goal> goals;
   std::vector<Minimized> minimized;
+  std::vector<logic::PredicateName> fixed;  ///< Neither minimized nor varied; the rest varies.
   std::vector<std::shared_ptr<Attachment>> attachments;
   Contract contract;  ///< Of its layer: the types that a reasoner may check a body against. May be
                       ///< empty.
@@ -54,7 +57,8 @@ struct Latch {
   std::string port;
   std::vector<logic::Fact> facts;  ///< The last batch, whole; empty when silent or stale.
   std::uint64_t version =
-      0;  ///< Changes exactly when `facts` change; lets a reasoner keep what is still valid.
+      0;  ///< Changes exactly when what it holds changes; lets a reasoner keep what is still valid.
+  Undecided undecided = {};  ///< What may hold besides `facts`.
 };
 
 /// A fact that must not enter a latch, with the hard axiom it offends.
@@ -76,6 +80,9 @@ class Reasoner {
 
   /// The language of the bodies it reads; "" when any will do.
   virtual std::string_view language() const = 0;
+  /// Whether Decide looks at undecided latch facts itself. If not, it is called once for each state
+  /// that they may be in, with latches that hold decided facts only.
+  virtual bool takes_undecided() const { return false; }
   virtual std::span<const ParameterSpec> parameters() const = 0;
 
   /// Reads and compiles the body. On diagnostics nothing is loaded. `symbols` outlives the

@@ -14,6 +14,7 @@
 #include "latchwork/logic/symbol.h"
 #include "latchwork/sdk/contract.h"
 #include "latchwork/sdk/parameters.h"
+#include "latchwork/sdk/undecided.h"
 
 namespace latchwork::sdk {
 
@@ -29,6 +30,7 @@ struct WorldSetup {
 struct Batch {
   bool updated = false;
   std::vector<logic::Fact> facts;
+  Undecided undecided = {};  ///< Reaches latches only, never an effector.
 };
 
 struct Outcome {
