@@ -17,19 +17,20 @@
 namespace latchwork::pttp {
 
 /// A reasoner with a theory, for tests: everything is given as text.
-class AgentMind {
+template <typename Reasoner>
+class MindOf {
  public:
-  explicit AgentMind(std::string_view theory = "") : AgentMind(TestName(), theory) {}
+  explicit MindOf(std::string_view theory = "") : MindOf(TestName(), theory) {}
   /// `name` keeps the files of different programs apart.
-  AgentMind(std::string_view name, std::string_view theory)
+  MindOf(std::string_view name, std::string_view theory)
       : file_(std::filesystem::path(::testing::TempDir()) / ("pttp_" + std::string(name) + ".p")) {
     Write(theory);
     body.language = "tptp";
     body.files.push_back(file_);
   }
-  AgentMind(const AgentMind&) = delete;
-  AgentMind& operator=(const AgentMind&) = delete;
-  ~AgentMind() { std::filesystem::remove(file_); }
+  MindOf(const MindOf&) = delete;
+  MindOf& operator=(const MindOf&) = delete;
+  ~MindOf() { std::filesystem::remove(file_); }
 
   void Write(std::string_view theory) const { std::ofstream(file_, std::ios::binary) << theory; }
 
@@ -94,7 +95,7 @@ class AgentMind {
   std::vector<sdk::Latch> latches;
   sdk::Budget budget;
   sdk::Decision decision;
-  PttpReasoner reasoner;
+  Reasoner reasoner;
 
  private:
   static std::string TestName() {
@@ -106,6 +107,8 @@ class AgentMind {
   std::vector<sdk::Parameters::Given> given_;
   std::uint64_t version_ = 0;
 };
+
+using AgentMind = MindOf<PttpReasoner>;
 
 }  // namespace latchwork::pttp
 

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reasoners/circumscription/exact/exact_decider.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "reasoners/circumscription/exact/derivation.h"
+
+namespace latchwork::circumscription {
+
+ExactDecider::ExactDecider(const sdk::Body& body, logic::SymbolTable& symbols)
+    : body_(body), program_(Program::Purpose::kCertificate, body, symbols), evaluator_(program_) {}
+
+logic::Diagnostics ExactDecider::Compile(std::vector<logic::Clause> clauses) {
+  logic::Diagnostics diagnostics = program_.Compile(std::move(clauses));
+  if (diagnostics.empty() && goals_.empty()) CompileGoals(diagnostics);
+  return diagnostics;
+}
+
+bool ExactDecider::CompileGoals(logic::Diagnostics& diagnostics) {
+  for (const sdk::Goal& goal : body_.goals) {
+    const logic::Literal literal{true, goal.pattern};
+    CompiledGoal compiled;
+    compiled.answers = program_.AddAnswers(goal.variables);
+    std::string problem;
+    auto rule = program_.CompileQuery({&literal, 1}, goal.variables, compiled.answers, problem);
+    if (!rule) {
+      diagnostics.push_back(
+          {{},
+           fmt::format("goal {} cannot be grounded: {}", ToString(goal.pattern), problem),
+           "",
+           ""});
+      return false;
+    }
+    compiled.rule = *std::move(rule);
+    goals_.push_back(std::move(compiled));
+  }
+  return true;
+}
+
+bool ExactDecider::Decide(std::span<const sdk::Latch> latches, const sdk::Budget& budget,
+                          sdk::Decision& decision) {
+  ports_.resize(latches.size());
+  for (std::size_t i = 0; i < latches.size(); ++i) ports_[i] = latches[i].port;
+  const Evaluator::End end = evaluator_.Run(body_.facts, latches, budget);
+  if (end == Evaluator::End::kRefused) {
+    reason_ = evaluator_.refusal();
+    return false;
+  }
+  if (end == Evaluator::End::kOpen) {
+    reason_ = "there is more than one minimal world";
+    return false;
+  }
+  decision.limit = evaluator_.spending().limit();
+  decision.message.clear();
+  decision.statistics = {};
+  decision.conclusions.resize(0);
+  decision.status = sdk::Status::kUnknown;
+  conclusions_.clear();
+  if (end == Evaluator::End::kInconsistent) {
+    ReportConflict(decision);
+  } else if (end == Evaluator::End::kModel) {
+    AnswerGoals(decision);
+  }
+  ListAssumptions(decision);
+  decision.statistics.inferences = evaluator_.spending().inferences();
+  decision.statistics.attachment_calls = evaluator_.spending().attachment_calls;
+  return true;
+}
+
+void ExactDecider::AnswerGoals(sdk::Decision& decision) {
+  for (std::size_t goal = 0; goal < goals_.size(); ++goal) {
+    const CompiledGoal& compiled = goals_[goal];
+    evaluator_.Answer(compiled.rule);
+    const FactTable& answers = evaluator_.table(compiled.answers);
+    const bool first_only = body_.goals[goal].answers == sdk::Goal::Answers::kFirst;
+    const std::uint32_t wanted = first_only ? std::min(1U, answers.size()) : answers.size();
+    for (std::uint32_t row = 0; row < wanted; ++row) {
+      ListConclusion(goal, row, decision.conclusions.emplace_back());
+      decision.statistics.depth = std::max(decision.statistics.depth, answers.info(row).height);
+    }
+  }
+  decision.status = decision.conclusions.empty() ? sdk::Status::kRefuted : sdk::Status::kProved;
+}
+
+void ExactDecider::ListConclusion(std::size_t goal, std::uint32_t row,
+                                  sdk::Conclusion& conclusion) {
+  const FactInfo& info = evaluator_.table(goals_[goal].answers).info(row);
+  const FactRef fact = evaluator_.Premises(info).front();
+  conclusions_.push_back(fact);
+  conclusion.goal = goal;
+  conclusion.fact = evaluator_.FactOf(fact);
+  conclusion.assumptions.clear();
+  Collect(info, conclusion.assumptions);
+}
+
+/// The defaults behind a fact, each once, in the order in which they were asked for.
+void ExactDecider::Collect(const FactInfo& info, std::vector<std::size_t>& assumptions) {
+  if (info.rank == 0) return;
+  const auto premises = evaluator_.Premises(info);
+  open_.assign(premises.begin(), premises.end());
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    const FactRef fact = open_[i];
+    if (fact.relation == FactRef::kAssumption) {
+      assumptions.push_back(fact.row);
+      continue;
+    }
+    const FactInfo& next = evaluator_.InfoOf(fact);
+    if (next.rank == 0) continue;
+    for (const FactRef premise : evaluator_.Premises(next)) {
+      if (std::find(open_.begin(), open_.end(), premise) == open_.end()) open_.push_back(premise);
+    }
+  }
+  std::sort(assumptions.begin(), assumptions.end());
+  assumptions.erase(std::unique(assumptions.begin(), assumptions.end()), assumptions.end());
+}
+
+void ExactDecider::ListAssumptions(sdk::Decision& decision) const {
+  const auto defaults = evaluator_.defaults();
+  decision.assumptions.resize(defaults.size());
+  for (std::size_t i = 0; i < defaults.size(); ++i) {
+    sdk::Assumption& assumption = decision.assumptions[i];
+    assumption.atom = evaluator_.DefaultAtom(defaults[i]);
+    assumption.state = defaults[i].contrary == FactTable::kNone
+                           ? sdk::Assumption::State::kMade
+                           : sdk::Assumption::State::kRetracted;
+  }
+}
+
+void ExactDecider::ReportConflict(sdk::Decision& decision) const {
+  decision.status = sdk::Status::kInconsistent;
+  const std::size_t clause = program_.rules()[evaluator_.conflict()].clause;
+  const std::string grounds = DescribeGrounds(evaluator_, evaluator_.conflict_premises());
+  decision.message =
+      fmt::format("body and latches contradict each other: clause '{}'{}{}",
+                  program_.clauses()[clause].name, grounds.empty() ? "" : " with ", grounds);
+}
+
+sdk::Derivation ExactDecider::Explain(const sdk::Decision& decision, std::size_t conclusion) const {
+  if (conclusion >= conclusions_.size() || conclusion >= decision.conclusions.size()) return {};
+  return DeriveFact(evaluator_, conclusions_[conclusion], ports_);
+}
+
+}  // namespace latchwork::circumscription

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_REASONERS_CIRCUMSCRIPTION_EXACT_EXACT_DECIDER_H_
+#define LATCHWORK_REASONERS_CIRCUMSCRIPTION_EXACT_EXACT_DECIDER_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "latchwork/sdk/reasoner.h"
+#include "reasoners/circumscription/evaluation/evaluator.h"
+#include "reasoners/circumscription/rules/program.h"
+
+namespace latchwork::circumscription {
+
+/// Decides the goals of a body by exact circumscription of what is ground in a cycle. Not
+/// thread-safe.
+class ExactDecider {
+ public:
+  /// `body` and `symbols` outlive it.
+  ExactDecider(const sdk::Body& body, logic::SymbolTable& symbols);
+
+  /// Why the clauses cannot be grounded, each with its place; empty: they are loaded.
+  logic::Diagnostics Compile(std::vector<logic::Clause> clauses);
+
+  /// False: this cycle cannot be decided; `reason()` says why, and `decision` is not filled.
+  bool Decide(std::span<const sdk::Latch> latches, const sdk::Budget& budget,
+              sdk::Decision& decision);
+  const std::string& reason() const { return reason_; }
+  /// Of the last decision that was filled.
+  sdk::Derivation Explain(const sdk::Decision& decision, std::size_t conclusion) const;
+
+ private:
+  struct CompiledGoal {
+    std::size_t answers = 0;  ///< The relation of its answers.
+    Rule rule;
+  };
+
+  bool CompileGoals(logic::Diagnostics& diagnostics);
+  void AnswerGoals(sdk::Decision& decision);
+  void ListAssumptions(sdk::Decision& decision) const;
+  void ListConclusion(std::size_t goal, std::uint32_t row, sdk::Conclusion& conclusion);
+  void Collect(const FactInfo& info, std::vector<std::size_t>& assumptions);
+  void ReportConflict(sdk::Decision& decision) const;
+
+  const sdk::Body& body_;
+  Program program_;
+  Evaluator evaluator_;
+  std::vector<CompiledGoal> goals_;
+  std::vector<std::string> ports_;  ///< Of the latches of the last decision.
+  std::vector<FactRef> open_;
+  std::vector<FactRef> conclusions_;  ///< The answers behind the conclusions.
+  std::string reason_;
+};
+
+}  // namespace latchwork::circumscription
+
+#endif  // LATCHWORK_REASONERS_CIRCUMSCRIPTION_EXACT_EXACT_DECIDER_H_
