@@ -4,6 +4,7 @@
 // the same theories give on the prover.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>

@@ -56,7 +56,9 @@ bool ExactDecider::Decide(std::span<const sdk::Latch> latches, const sdk::Budget
   decision.limit = evaluator_.spending().limit();
   decision.message.clear();
   decision.statistics = {};
-  decision.conclusions.resize(0);
+  decision.conclusions.clear();
+  decision.undecided.clear();
+  decision.states.clear();
   decision.status = sdk::Status::kUnknown;
   conclusions_.clear();
   if (end == Evaluator::End::kInconsistent) {

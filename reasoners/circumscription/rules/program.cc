@@ -16,7 +16,10 @@ Program::Program(Purpose purpose, const sdk::Body& body, logic::SymbolTable& sym
   for (const logic::PredicateName& input : body.inputs) relations_.Of(input);
   for (const logic::Fact& fact : body.facts) relations_.Of(NameOf(fact));
   for (const sdk::Minimized& minimized : body.minimized) {
-    relations_[relations_.Of(minimized.predicate)].level = 1;
+    relations_[relations_.Of(minimized.predicate)].level = static_cast<int>(minimized.priority);
+  }
+  for (const logic::PredicateName& fixed : body.fixed) {
+    relations_[relations_.Of(fixed)].is_fixed = true;
   }
   for (const auto& code : body.attachments) {
     const sdk::Attachment::Signature& signature = code->signature();
