@@ -11,8 +11,10 @@
 
 namespace latchwork::circumscription {
 
-/// Unit propagation over the clauses of a theory. Two literals of each clause are watched, so that
-/// going back costs no more than the literals taken back; no memory is allocated after warm-up.
+/// Unit propagation over the clauses of a theory. Of each clause, the literals that are not false
+/// are counted and their numbers added by exclusive or, so that the last one is known without a
+/// look at the clause; a certificate gives all atoms a value, so all clauses are met anyway. No
+/// memory is allocated after construction. `theory` outlives it.
 class Propagator {
  public:
   explicit Propagator(const CompiledTheory& theory);
@@ -34,13 +36,11 @@ class Propagator {
   std::span<const Literal> trail() const { return {trail_.data(), size_}; }
 
  private:
-  /// Of a clause of two literals, `other` is the other one and `start` is kBinary.
-  struct Watch {
-    Literal other;
-    std::uint32_t start;
-    std::uint32_t size;
+  /// The literals of a clause that Propagate has not seen to be false.
+  struct Open {
+    Literal sum = 0;
+    std::uint32_t count = 0;
   };
-  static constexpr std::uint32_t kBinary = UINT32_MAX;
 
   std::size_t Index(Literal literal) const {
     return static_cast<std::size_t>(static_cast<std::int64_t>(middle_) + literal);
@@ -50,19 +50,17 @@ class Propagator {
     values_[Index(-literal)] = -1;
     trail_[size_++] = literal;
   }
-  void AddClause(std::span<const Literal> clause);
-  bool Visit(Literal falsified);
-  bool MoveWatch(const Watch& watch, Literal falsified);
 
+  const CompiledTheory& theory_;
   std::size_t middle_;
   std::vector<std::int8_t> values_;  ///< By literal, from -atoms to atoms.
-  std::vector<std::vector<Watch>> watches_;
-  std::vector<Literal> literals_;  ///< Of the clauses of three and more; the first two are watched.
-  std::vector<Literal> trail_;     ///< Has room for all atoms.
-  std::size_t size_ = 0;           ///< Of trail_, as far as it is filled.
-  std::size_t next_ = 0;           ///< In trail_: what Propagate has not seen yet.
-  std::size_t root_ = 0;           ///< Trail length that Reset goes back to.
+  std::vector<Open> open_;           ///< By clause.
+  std::vector<Literal> trail_;       ///< Has room for all atoms.
+  std::size_t size_ = 0;             ///< Of trail_, as far as it is filled.
+  std::size_t next_ = 0;             ///< In trail_: what Propagate has not seen yet.
+  std::size_t root_ = 0;             ///< Trail length that Reset goes back to.
   std::vector<std::int8_t> root_values_;
+  std::vector<Open> root_open_;
   bool refuted_ = false;  ///< The clauses alone are contradictory.
 };
 

@@ -71,12 +71,6 @@ void CompiledTheory::AddOccurrences() {
   }
 }
 
-std::span<const std::uint32_t> CompiledTheory::Occurrences(Literal literal) const {
-  const std::size_t slot = Slot(literal);
-  return {occurrences_.data() + occurrence_starts_[slot],
-          occurrence_starts_[slot + 1] - occurrence_starts_[slot]};
-}
-
 bool Satisfies(const Model& model, std::span<const Literal> clause) {
   return std::any_of(clause.begin(), clause.end(),
                      [&](Literal literal) { return model.Holds(literal); });

@@ -23,7 +23,11 @@ class CompiledTheory {
     return {literals_.data() + starts_[index], starts_[index + 1] - starts_[index]};
   }
   /// The clauses that contain `literal`, in order.
-  std::span<const std::uint32_t> Occurrences(Literal literal) const;
+  std::span<const std::uint32_t> Occurrences(Literal literal) const {
+    const std::size_t slot = Slot(literal);
+    return {occurrences_.data() + occurrence_starts_[slot],
+            occurrences_.data() + occurrence_starts_[slot + 1]};
+  }
 
   Role role(Atom atom) const { return roles_[static_cast<std::size_t>(atom) - 1]; }
   /// The place of a minimized atom's level in levels(); of other atoms the number of levels, so
