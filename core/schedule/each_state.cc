@@ -56,10 +56,9 @@ bool EachState::ListStates(std::span<const sdk::Latch> latches) {
     const sdk::Undecided& undecided = latch.undecided;
     choices_.push_back(undecided.states.empty() ? Subsets(undecided.facts.size())
                                                 : undecided.states);
-    states_ *= choices_.back().size();
-    if (states_ == 0 || states_ > kMostStates) return false;
+    states_ = std::min(states_ * choices_.back().size(), kMostStates + 1);
   }
-  return true;
+  return states_ > 0 && states_ <= kMostStates;
 }
 
 /// The number of a joint state is read with one digit for each latch.

@@ -105,16 +105,13 @@ void Matrix::AddBody(const Entry& of, const MatrixLiteral* head) {
 
 const MatrixLiteral** Matrix::RoomForBody(std::size_t size) {
   constexpr std::size_t kBlock = 4096;
-  if (body_room_ < size) {
-    body_room_ = std::max(size, kBlock);
-    bodies_.push_back(std::make_unique<const MatrixLiteral*[]>(body_room_));
-    body_end_ = bodies_.back().get();
-    body_bytes_ += body_room_ * sizeof(const MatrixLiteral*);
+  if (bodies_.empty() || bodies_.back().capacity() - bodies_.back().size() < size) {
+    bodies_.emplace_back().reserve(std::max(size, kBlock));
+    body_bytes_ += bodies_.back().capacity() * sizeof(void*);
   }
-  const MatrixLiteral** const body = body_end_;
-  body_end_ += size;
-  body_room_ -= size;
-  return body;
+  std::vector<const MatrixLiteral*>& block = bodies_.back();
+  block.resize(block.size() + size);
+  return block.data() + block.size() - size;
 }
 
 void Matrix::AddEntries() {

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <ranges>
 #include <span>
 #include <vector>
@@ -124,9 +123,7 @@ class Matrix {
   std::vector<Cell> codes_;
   std::vector<HeadOperation> operations_;
   std::vector<std::uint32_t> heads_;  ///< Of each literal, its first operation.
-  std::vector<std::unique_ptr<const MatrixLiteral*[]>> bodies_;
-  const MatrixLiteral** body_end_ = nullptr;
-  std::size_t body_room_ = 0;
+  std::vector<std::vector<const MatrixLiteral*>> bodies_;  ///< Filled as far as they reserved.
   std::size_t body_bytes_ = 0;
   std::vector<std::vector<Way>> ways_of_key_;
   std::vector<std::vector<Connection>> connections_;
