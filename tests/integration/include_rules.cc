@@ -28,7 +28,7 @@ struct Part {
   std::string_view folder;
   std::string_view sees;
 };
-constexpr std::array<Part, 12> kParts = {{
+constexpr std::array<Part, 13> kParts = {{
     {"core/logic/", ""},
     {"core/sdk/", "logic"},
     {"core/config/", "logic sdk"},
@@ -39,9 +39,10 @@ constexpr std::array<Part, 12> kParts = {{
     {"plugins/", "logic sdk"},
     {"worlds/", "logic sdk"},
     {"apps/check_proof/", "logic"},
+    {"apps/compare/", "logic sdk config"},
     {"apps/",
      "logic sdk config plugin schedule record reasoners/circumscription reasoners/icarus "
-     "reasoners/pttp apps/check_proof"},
+     "reasoners/pttp apps/check_proof apps/compare"},
     {"tests/", "logic sdk config plugin schedule record"},
 }};
 
@@ -50,13 +51,14 @@ struct Confinement {
   std::string_view prefix;
   std::string_view folders;
 };
-constexpr std::array<Confinement, 14> kConfinements = {{
+constexpr std::array<Confinement, 15> kConfinements = {{
     {"mrpt/", "worlds/office/"},
     {"opencv2/", ""},
     {"Eigen/", ""},
     {"ompl/", "reasoners/ompl/"},
     {"xercesc/", "core/config/"},
-    {"boost/", "core/plugin/"},
+    {"boost/dll/", "core/plugin/"},
+    {"boost/math/", "apps/compare/"},
     {"dlfcn.h", "core/config/ core/plugin/"},
     {"cadical", "reasoners/circumscription/"},
     {"CLI/", "apps/"},
@@ -69,7 +71,7 @@ constexpr std::array<Confinement, 14> kConfinements = {{
     {"benchmark/", "tests/bench/"},
 }};
 
-constexpr std::array<std::string_view, 3> kSingleUser = {"xercesc/", "boost/", "cadical"};
+constexpr std::array<std::string_view, 3> kSingleUser = {"xercesc/", "boost/dll/", "cadical"};
 
 std::vector<std::string> Words(std::string_view text) {
   std::istringstream stream{std::string(text)};
