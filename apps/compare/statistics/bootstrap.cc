@@ -62,7 +62,7 @@ Interval BootstrapInterval(std::span<const double> differences, std::uint64_t se
   const auto bound = [&](double tail) {
     const double shifted = bias + boost::math::quantile(normal, tail);
     const double level = boost::math::cdf(normal, bias + shifted / (1 - acceleration * shifted));
-    const auto index = static_cast<std::size_t>(level * (kSamples - 1) + 0.5);
+    const auto index = static_cast<std::size_t>(std::lround(level * (kSamples - 1)));
     return means[std::min(index, kSamples - 1)];
   };
   return {mean, bound(kTail), bound(1 - kTail)};

@@ -15,7 +15,7 @@ std::vector<double> Holm(std::span<const double> p_values) {
   std::vector<double> corrected(p_values.size());
   double greatest = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const double factor = static_cast<double>(order.size() - i);
+    const auto factor = static_cast<double>(order.size() - i);
     greatest = std::max(greatest, std::min(1.0, factor * p_values[order[i]]));
     corrected[order[i]] = greatest;
   }
