@@ -28,13 +28,14 @@ struct Part {
   std::string_view folder;
   std::string_view sees;
 };
-constexpr std::array<Part, 13> kParts = {{
+constexpr std::array<Part, 14> kParts = {{
     {"core/logic/", ""},
     {"core/sdk/", "logic"},
     {"core/config/", "logic sdk"},
     {"core/plugin/", "logic sdk"},
     {"core/schedule/", "logic sdk config plugin"},
     {"core/record/", "logic sdk config plugin schedule"},
+    {"reasoners/circumscription/", "logic sdk reasoners/pttp"},
     {"reasoners/", "logic sdk"},
     {"plugins/", "logic sdk"},
     {"worlds/", "logic sdk"},
