@@ -35,6 +35,7 @@ void AddCheck(CLI::App& app, Context& context);
 void AddProve(CLI::App& app, Context& context);
 void AddCheckProof(CLI::App& app, Context& context);
 void AddEntail(CLI::App& app, Context& context);
+void AddSemantics(CLI::App& app, Context& context);
 void AddReplay(CLI::App& app, Context& context);
 void AddIcarus(CLI::App& app, Context& context);
 void AddPlugin(CLI::App& app, Context& context);

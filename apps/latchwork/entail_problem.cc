@@ -4,33 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "apps/latchwork/input_text.h"
 #include "reasoners/circumscription/grounding/tptp_problem.h"
 
 namespace latchwork::app {
 namespace {
 
 namespace circ = latchwork::circumscription;
-
-constexpr std::size_t kMostBytes = 256U << 20U;
-
-std::string ReadStream(std::istream& stream) {
-  std::string text;
-  std::array<char, 1U << 16U> buffer{};
-  while (text.size() <= kMostBytes) {
-    stream.read(buffer.data(), buffer.size());
-    if (stream.gcount() == 0) break;
-    text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
-  }
-  return text;
-}
 
 EntailProblem Refused(const std::string& file, std::string message, std::string hint = "") {
   EntailProblem problem;
@@ -39,17 +24,13 @@ EntailProblem Refused(const std::string& file, std::string message, std::string 
 }
 
 EntailProblem ReadCircProblem(const std::string& name) {
-  std::error_code error;
-  std::ifstream stream;
-  if (name != "-") stream.open(name, std::ios::binary);
-  if (name != "-" && (!stream || std::filesystem::is_directory(name, error))) {
-    return Refused(name, "the file cannot be read");
-  }
-  const std::string text = ReadStream(name == "-" ? std::cin : stream);
-  if (text.size() > kMostBytes) return Refused(name, "the file is larger than 256 MiB");
-  circ::CircFile file = circ::ReadCirc(text, name);
-  EntailProblem problem{
-      std::move(file.theory), {}, std::move(file.queries), std::move(file.diagnostics)};
+  EntailProblem problem;
+  const std::optional<std::string> text = ReadInputText(name, problem.diagnostics);
+  if (!text) return problem;
+  circ::CircFile file = circ::ReadCirc(*text, name);
+  problem.theory = std::move(file.theory);
+  problem.queries = std::move(file.queries);
+  problem.diagnostics = std::move(file.diagnostics);
   if (problem.diagnostics.empty()) problem.latches = circ::MoveFacts(file.facts, problem.theory);
   return problem;
 }

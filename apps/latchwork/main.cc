@@ -69,6 +69,7 @@ int Main(int argc, char** argv) {
   AddProve(app, context);
   AddCheckProof(app, context);
   AddEntail(app, context);
+  AddSemantics(app, context);
   AddReplay(app, context);
   AddIcarus(app, context);
   AddPlugin(app, context);

@@ -2,20 +2,16 @@
 #ifndef LATCHWORK_REASONERS_CIRCUMSCRIPTION_FORMATS_CIRC_FILE_H_
 #define LATCHWORK_REASONERS_CIRCUMSCRIPTION_FORMATS_CIRC_FILE_H_
 
-#include <string>
+#include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "latchwork/logic/diagnostic.h"
+#include "reasoners/circumscription/formats/statement_reader.h"
 #include "reasoners/circumscription/theory/ground_theory.h"
 
 namespace latchwork::circumscription {
-
-struct Query {
-  std::string id;
-  bool brave = false;  ///< The literals are a conjunction; else a disjunction.
-  std::vector<Literal> literals;
-};
 
 /// A ground theory in text: `p circ ATOMS CLAUSES`, then lines `P LEVEL atoms 0`, `Z atoms 0`,
 /// `Q atoms 0`, clauses as in DIMACS, `n ATOM NAME`, facts `F literals 0`, and queries

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/latchwork/input_text.h"
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace latchwork::app {
+namespace {
+
+constexpr std::size_t kMostBytes = 256U << 20U;
+
+std::string ReadStream(std::istream& stream) {
+  std::string text;
+  std::array<char, 1U << 16U> buffer{};
+  while (text.size() <= kMostBytes) {
+    stream.read(buffer.data(), buffer.size());
+    if (stream.gcount() == 0) break;
+    text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<std::string> ReadInputText(const std::string& name, logic::Diagnostics& diagnostics) {
+  std::error_code error;
+  std::ifstream stream;
+  if (name != "-") stream.open(name, std::ios::binary);
+  if (name != "-" && (!stream || std::filesystem::is_directory(name, error))) {
+    diagnostics.push_back({{name, 0, 0}, "the file cannot be read", "", ""});
+    return std::nullopt;
+  }
+  std::string text = ReadStream(name == "-" ? std::cin : stream);
+  if (text.size() <= kMostBytes) return text;
+  diagnostics.push_back({{name, 0, 0}, "the file is larger than 256 MiB", "", ""});
+  return std::nullopt;
+}
+
+}  // namespace latchwork::app
