@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "apps/latchwork/agent_theory.h"
 #include "apps/latchwork/command.h"
 #include "apps/latchwork/semantics_findings.h"
 #include "apps/latchwork/semantics_problem.h"
@@ -19,7 +21,8 @@ namespace circ = latchwork::circumscription;
 
 struct SemanticsSettings {
   std::string file;
-  std::string transfer;  ///< Empty: all.
+  std::string transfer;            ///< Empty: all.
+  std::vector<std::string> facts;  ///< "LAYER: atom", of an agent.
   circ::ProcedureOptions options;
   bool json = false;
 };
@@ -29,11 +32,22 @@ std::vector<circ::Transfer> TransfersOf(const SemanticsSettings& settings) {
   return {std::begin(circ::kTransfers), std::end(circ::kTransfers)};
 }
 
-int RunSemantics(const SemanticsSettings& settings) {
-  const SemanticsProblem problem = ReadLayProblem(settings.file);
+SemanticsProblem ReadProblem(const SemanticsSettings& settings, const Context& context) {
+  if (std::filesystem::path(settings.file).extension() == ".xml") {
+    return ReadAgentProblem(settings.file, settings.facts, context);
+  }
+  SemanticsProblem problem = ReadLayProblem(settings.file);
+  if (settings.facts.empty()) return problem;
+  problem.diagnostics.push_back(
+      {{"--fact", 0, 0}, "only agents are told facts", "a .lay file has F lines", ""});
+  return problem;
+}
+
+int RunSemantics(const SemanticsSettings& settings, const Context& context) {
+  const SemanticsProblem problem = ReadProblem(settings, context);
   if (!problem.diagnostics.empty()) {
     fmt::print(stderr, "{}", logic::Format(problem.diagnostics));
-    return kInvalidInput;
+    return problem.plugin_failure ? kPluginFailure : kInvalidInput;
   }
   const SemanticsFindings findings = Evaluate(problem, TransfersOf(settings), settings.options);
   if (settings.json) {
@@ -62,6 +76,10 @@ constexpr const char* kFooter =
     "the queries, and cuts the first difference down to a smallest theory that shows it. Last\n"
     "come the answers, 's|o|r|= ID yes|no|unknown': s, o and r by transfer, = by Definition 1;\n"
     "with --transfer only 'ID yes|no|unknown' of that one.\n\n"
+    "Of an agent, each layer must be a finite theory: a TPTP body without functions, arithmetic\n"
+    "and attachments. The constants that occur in a layer, or are handed down to it, are all "
+    "there\n"
+    "is. Sensors say what --fact tells, and all goals of the lowest layer are asked.\n\n"
     "A .lay file, one statement a line:\n"
     "  p lay 2 6        2 layers, atoms 1 to 6\n"
     "  L 1              layer 1, the lowest; a name may follow\n"
@@ -77,8 +95,8 @@ constexpr const char* kFooter =
     "  F 4 0            facts\n"
     "  ? go c 3 -2 0    does every layered model satisfy (3 or not 2)? Atoms of layer 1\n\n"
     "Exit codes: 0 all decided, and the procedure is right on every query; 1 a budget ran out, or\n"
-    "there is no layered model; 2 wrong usage; 3 invalid input; 6 the procedure and Definition 1\n"
-    "differ.";
+    "there is no layered model; 2 wrong usage; 3 invalid input, or a layer that is no\n"
+    "finite theory; 4 a plugin cannot be loaded; 6 the procedure and Definition 1 differ.";
 
 }  // namespace
 
@@ -87,9 +105,16 @@ void AddSemantics(CLI::App& app, Context& context) {
   settings->options.engine.conflicts = 2'000'000;
   CLI::App* command = app.add_subcommand(
       "semantics", "Compare what layers conclude with what the layered theory means");
-  command->add_option("FILE", settings->file, ".lay file; '-' reads standard input")->required();
+  command
+      ->add_option("FILE", settings->file,
+                   "Agent (.xml), or a layered theory (.lay; '-' reads standard input)")
+      ->required();
   command->add_option("--transfer", settings->transfer, "Only this one: single, open or refined")
       ->check(CLI::IsMember({"single", "open", "refined"}));
+  command
+      ->add_option("--fact", settings->facts,
+                   "'LAYER: ATOM', what a sensor of an agent's layer says; may be repeated")
+      ->allow_extra_args(false);
   command
       ->add_option("--conflicts", settings->options.engine.conflicts,
                    "Conflicts that one SAT call may take")
@@ -106,7 +131,7 @@ void AddSemantics(CLI::App& app, Context& context) {
       ->capture_default_str();
   command->add_flag("--json", settings->json, "Print all of it as JSON");
   command->footer(kFooter);
-  command->callback([settings, &context] { context.exit_code = RunSemantics(*settings); });
+  command->callback([settings, &context] { context.exit_code = RunSemantics(*settings, context); });
 }
 
 }  // namespace latchwork::app

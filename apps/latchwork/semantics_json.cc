@@ -51,7 +51,7 @@ Json BridgesOf(const circ::LayeredTheory& theory, const circ::Conditions& condit
 
 Json GoalsOf(const circ::LayeredTheory& theory, const circ::Conditions& conditions) {
   Json goals = Json::array();
-  for (const circ::GoalState& state : conditions.goals) {
+  for (const circ::LayerGoal& state : conditions.goals) {
     goals.push_back({{"layer", state.layer + 1},
                      {"goal", ToString(theory.layers[state.layer].theory, state.goal)},
                      {"status", Name(state.status)}});

@@ -16,6 +16,7 @@ struct SemanticsProblem {
   circumscription::LayeredTheory theory;
   std::vector<circumscription::Query> queries;
   logic::Diagnostics diagnostics;  ///< Where there are any, the rest must not be used.
+  bool plugin_failure = false;     ///< Of an agent: a part cannot be loaded.
 };
 
 /// Reads a .lay file; "-" is standard input.

@@ -115,7 +115,7 @@ void Report::Goals() {
     return Line("  there is no layered model: by Definition 1 everything follows");
   }
   Condition("goals decided", conditions.GoalsDecided() ? "yes" : "no");
-  for (const circ::GoalState& goal : conditions.goals) {
+  for (const circ::LayerGoal& goal : conditions.goals) {
     Line("    {}: {} is {}", LayerName(theory_, goal.layer),
          ToString(theory_.layers[goal.layer].theory, goal.goal), Name(goal.status));
   }

@@ -87,5 +87,44 @@ TEST_F(SemanticsCommandTest, BadFile_ShowsAllErrors) {
   EXPECT_EQ(result.out, "");
 }
 
+CommandResult OfSectors(std::vector<std::string> options) {
+  options.insert(options.begin(), {"--plugin-path", LATCHWORK_BINARY_DIR "/example_plugins",
+                                   "semantics", "examples/sectors/sectors.xml"});
+  return RunLatchwork(options, LATCHWORK_SOURCE_DIR);
+}
+
+TEST(SemanticsOfAgentsTest, FiniteLayers_AreComparedWithDefinitionOne) {
+  const CommandResult left =
+      OfSectors({"--fact", "pusher: move_cmd(left)", "--transfer", "single"});
+  EXPECT_EQ(left.exit_code, 0) << left.err;
+  EXPECT_THAT(left.out, HasSubstr("layer 2 (pusher): pushed(s3) is proved"));
+  EXPECT_THAT(left.out, HasSubstr("\ngo(s3) no\n~go(s3) yes\n"));
+  EXPECT_THAT(left.out, HasSubstr("\ngo(s5) yes\n~go(s5) no\n"));
+  const CommandResult corner = OfSectors({"--fact", "pusher: move_cmd(corner)"});
+  EXPECT_EQ(corner.exit_code, 6) << corner.err;
+  EXPECT_THAT(corner.out, HasSubstr("transfer single is unsound on go(s3)"));
+  EXPECT_THAT(corner.out, HasSubstr("refined  the same on all 4 queries"));
+}
+
+TEST(SemanticsOfAgentsTest, BadFacts_AreAllRefused) {
+  const CommandResult result = OfSectors(
+      {"--fact", "pushr: move_cmd(left)", "--fact", "move_cmd", "--fact", "pusher: move_cmd(X)"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("did you mean 'pusher'?"));
+  EXPECT_THAT(result.err, HasSubstr("not of the form LAYER: ATOM"));
+  EXPECT_THAT(result.err, HasSubstr("what follows the layer is no ground atom"));
+}
+
+TEST(SemanticsOfAgentsTest, OtherLayers_AreRefusedEachWithItsPlaces) {
+  const CommandResult result =
+      RunLatchwork({"semantics", "examples/office/scenario1.xml"}, LATCHWORK_SOURCE_DIR);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("layer 'avoid' is no finite theory"));
+  EXPECT_THAT(result.err, HasSubstr("layer 'seek' is no finite theory: 'destination' calls the "
+                                    "attachment bearing/7"));
+  EXPECT_THAT(result.err, HasSubstr("layer 'elevators' is no finite theory"));
+  EXPECT_THAT(result.err, HasSubstr("seek.p:"));
+}
+
 }  // namespace
 }  // namespace latchwork::testing

@@ -45,7 +45,7 @@ void CheckBridges(const LayeredTheory& theory, std::size_t layer, const EngineOp
 }  // namespace
 
 bool Conditions::GoalsDecided() const {
-  return std::all_of(goals.begin(), goals.end(), [](const GoalState& state) {
+  return std::all_of(goals.begin(), goals.end(), [](const LayerGoal& state) {
     return state.status == GoalStatus::kProved || state.status == GoalStatus::kRefuted;
   });
 }

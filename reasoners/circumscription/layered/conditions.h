@@ -12,7 +12,7 @@
 namespace latchwork::circumscription {
 
 /// A goal by its layer.
-struct GoalState {
+struct LayerGoal {
   std::size_t layer = 0;
   Atom goal = 0;
   GoalStatus status = GoalStatus::kUnknown;
@@ -32,7 +32,7 @@ struct Conditions {
   std::vector<Verdict> layers_have_models;                ///< Each by itself, the lowest first.
   Verdict has_model = Verdict::kUnknown;                  ///< The layered theory.
   Verdict consistent_with_transfers = Verdict::kUnknown;  ///< All layers, every bridge kept.
-  std::vector<GoalState> goals;   ///< Each goal that a bridge comes from, the highest layer first.
+  std::vector<LayerGoal> goals;   ///< Each goal that a bridge comes from, the highest layer first.
   std::vector<GivenUp> given_up;  ///< The highest layer first.
   bool bridges_known = true;      ///< Else a budget ran out, and given_up may lack some.
 
