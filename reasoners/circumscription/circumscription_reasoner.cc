@@ -14,6 +14,7 @@ logic::Diagnostics CircumscriptionReasoner::Load(const sdk::Body& body,
   body_ = body;
   symbols_ = &symbols;
   mode_ = ModeOf(parameters);
+  is_brave_ = IsBrave(parameters);
   reuses_ = parameters.Boolean("cache_decisions");
   decided_ = was_exact_ = false;
   if (auto diagnostics = bounded_.Load(body_, parameters, symbols); !diagnostics.empty()) {
@@ -29,7 +30,7 @@ logic::Diagnostics CircumscriptionReasoner::Load(const sdk::Body& body,
 logic::Diagnostics CircumscriptionReasoner::CompileExact() {
   decided_ = was_exact_ = false;
   why_bounded_.clear();
-  exact_ = std::make_unique<ExactDecider>(body_, *symbols_);
+  exact_ = std::make_unique<ExactDecider>(body_, *symbols_, is_brave_);
   logic::Diagnostics diagnostics = exact_->Compile(theory_->Clauses(false));
   if (diagnostics.empty()) return {};
   exact_.reset();

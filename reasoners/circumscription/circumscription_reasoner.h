@@ -53,6 +53,7 @@ class CircumscriptionReasoner final : public sdk::Reasoner {
   sdk::Body body_;
   logic::SymbolTable* symbols_ = nullptr;
   Mode mode_ = Mode::kAuto;
+  bool is_brave_ = false;
   pttp::PttpReasoner bounded_;
   std::unique_ptr<pttp::Theory> theory_;
   std::unique_ptr<ExactDecider> exact_;

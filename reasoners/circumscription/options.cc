@@ -13,7 +13,10 @@ std::vector<sdk::ParameterSpec> MakeOptions() {
   std::vector<sdk::ParameterSpec> options{
       sdk::ChoiceParameter("mode", {"auto", "exact", "bounded"},
                            "how defaults are decided: `exact`, by the minimal models; `bounded`, "
-                           "by proofs within the bound; `auto`: exact where the body allows it")};
+                           "by proofs within the bound; `auto`: exact where the body allows it"),
+      sdk::ChoiceParameter("entailment", {"cautious", "brave"},
+                           "in exact decisions, what is concluded: what holds in all minimal "
+                           "models, or in some")};
   for (const sdk::ParameterSpec& option : pttp::LayerOptions()) options.push_back(option);
   return options;
 }
@@ -30,5 +33,7 @@ Mode ModeOf(const sdk::Parameters& parameters) {
   if (mode == "exact") return Mode::kExact;
   return mode == "bounded" ? Mode::kBounded : Mode::kAuto;
 }
+
+bool IsBrave(const sdk::Parameters& parameters) { return parameters.Text("entailment") == "brave"; }
 
 }  // namespace latchwork::circumscription

@@ -17,6 +17,8 @@ enum class Mode : std::uint8_t { kAuto, kExact, kBounded };
 std::span<const sdk::ParameterSpec> LayerOptions();
 
 Mode ModeOf(const sdk::Parameters& parameters);
+/// Whether conclusions are those of some minimal model, not of all.
+bool IsBrave(const sdk::Parameters& parameters);
 
 }  // namespace latchwork::circumscription
 

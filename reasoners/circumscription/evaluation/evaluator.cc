@@ -35,14 +35,12 @@ void Evaluator::Reset() {
   for (const auto& table : called_) {
     if (table) table->Clear();
   }
-  if (bank_.size() > kMaxCompounds) bank_.Clear();
+  if (sink_ == nullptr && bank_.size() > kMaxCompounds) bank_.Clear();
   premises_.clear();
   trail_.clear();
   bindings_.clear();
   arguments_.clear();
   defaults_.clear();
-  conflict_premises_.clear();
-  conflict_ = kNoIndex;
   calling_ = 0;
   is_open_ = is_inconsistent_ = restart_ = false;
 }
@@ -53,7 +51,10 @@ void Evaluator::AddFacts(std::span<const logic::Fact> facts, const FactInfo& inf
     if (relation == kNoIndex) continue;
     cells_.clear();
     for (const logic::Term& term : fact.arguments()) cells_.push_back(bank_.Of(term));
-    tables_[relation]->Insert(cells_, info);
+    FactTable& table = *tables_[relation];
+    const std::uint32_t row = table.Insert(cells_, info);
+    const bool is_given = table.info(row).origin == FactInfo::Origin::kLatch;
+    if (sink_ != nullptr && is_given) sink_->Give(relation, cells_);
   }
 }
 
@@ -103,7 +104,12 @@ void Evaluator::EvaluateStratum(const Stratum& stratum, std::size_t number) {
   for (const std::size_t rule : stratum.rules) {
     if (program_.rules()[rule].ordinals == 0) Start(program_.rules()[rule], 0);
   }
-  if (!stratum.is_recursive) return;
+  if (stratum.is_recursive) Close(stratum, number);
+  for (const std::size_t rule : stratum.checks) Start(program_.rules()[rule], 0);
+}
+
+/// Follows recursive rules from what is new, until nothing is.
+void Evaluator::Close(const Stratum& stratum, std::size_t number) {
   for (std::size_t i = 0; i < tables_.size(); ++i) windows_[i] = {};
   while (!stops() && Advance(number)) {
     for (const std::size_t index : stratum.rules) {
@@ -147,6 +153,7 @@ FactInfo Evaluator::InfoOfInstance(const Frame& frame) const {
 
 void Evaluator::Fire(const Frame& frame) {
   const Rule& rule = *frame.rule;
+  if (sink_ != nullptr && rule.clause != kNoIndex) return FireInstance(frame);
   if (rule.heads.empty()) return Violate(frame);
   const Head& head = rule.heads.front();
   if (!BuildCells(head.arguments, frame.base)) return;
@@ -170,13 +177,7 @@ void Evaluator::Fire(const Frame& frame) {
 }
 
 void Evaluator::Violate(const Frame& frame) {
-  const bool is_certain = InfoOfInstance(frame).rank == 0;
-  if (conflict_ == kNoIndex || is_certain) {
-    conflict_ = static_cast<std::size_t>(frame.rule - program_.rules().data());
-    conflict_premises_.assign(trail_.begin() + static_cast<std::ptrdiff_t>(frame.trail),
-                              trail_.end());
-  }
-  (is_certain ? is_inconsistent_ : is_open_) = true;
+  (InfoOfInstance(frame).rank == 0 ? is_inconsistent_ : is_open_) = true;
 }
 
 std::uint32_t Evaluator::AskDefault(std::size_t relation, std::uint32_t contrary) {

@@ -12,6 +12,7 @@
 
 #include "latchwork/sdk/reasoner.h"
 #include "reasoners/circumscription/evaluation/fact_table.h"
+#include "reasoners/circumscription/evaluation/instance_sink.h"
 #include "reasoners/circumscription/evaluation/spending.h"
 #include "reasoners/circumscription/rules/program.h"
 #include "reasoners/circumscription/values/value.h"
@@ -33,13 +34,16 @@ class Evaluator {
  public:
   enum class End : std::uint8_t {
     kModel,
-    kInconsistent,  ///< Facts and clauses alone contradict each other: see conflict().
+    kInconsistent,  ///< Facts and clauses alone contradict each other.
     kOpen,          ///< There may be other minimal worlds, or none: this needs a search.
     kSpent,         ///< The budget ran out.
     kRefused,       ///< An attachment cannot be evaluated: see refusal().
   };
 
-  explicit Evaluator(Program& program) : program_(program) {}
+  /// With a sink the program is one for grounding: what is found are the atoms that may be true, and
+  /// the sink gets the instances of clauses over them.
+  explicit Evaluator(Program& program, InstanceSink* sink = nullptr)
+      : program_(program), sink_(sink) {}
   ~Evaluator() = default;
   Evaluator(const Evaluator&) = delete;
   Evaluator& operator=(const Evaluator&) = delete;
@@ -58,12 +62,13 @@ class Evaluator {
   logic::Fact DefaultAtom(const AskedDefault& asked) const;
   logic::Fact FactOf(FactRef fact) const;
   const FactInfo& InfoOf(FactRef fact) const { return tables_[fact.relation]->info(fact.row); }
-  /// After kInconsistent or kOpen: the rule that is violated, and by what; kNoIndex: none is.
-  std::size_t conflict() const { return conflict_; }
-  std::span<const FactRef> conflict_premises() const { return conflict_premises_; }
   const std::string& refusal() const { return refusal_; }
   const Spending& spending() const { return spending_; }
   const Program& program() const { return program_; }
+  const ValueBank& bank() const { return bank_; }
+  /// Compound terms that it keeps.
+  std::size_t terms() const { return bank_.size(); }
+  void ForgetTerms() { bank_.Clear(); }
 
  private:
   class Context;
@@ -99,6 +104,7 @@ class Evaluator {
   bool Restratify();
   void EvaluateStrata();
   void EvaluateStratum(const Stratum& stratum, std::size_t number);
+  void Close(const Stratum& stratum, std::size_t number);
   bool Advance(std::size_t stratum);
   End EndOfRun() const;
 
@@ -109,6 +115,9 @@ class Evaluator {
   void CheckAbsent(const Frame& frame, std::size_t step);
   void CallAttachment(const Frame& frame, std::size_t step);
   void Fire(const Frame& frame);
+  void FireInstance(const Frame& frame);
+  bool AddHeads(const Frame& frame);
+  bool IsCertain(std::span<const FactRef> premises);
   FactInfo InfoOfInstance(const Frame& frame) const;
   void Violate(const Frame& frame);
   std::uint32_t AskDefault(std::size_t relation, std::uint32_t contrary);
@@ -129,6 +138,7 @@ class Evaluator {
   bool stops() const { return restart_ || !refusal_.empty() || spending_.is_spent(); }
 
   Program& program_;
+  InstanceSink* sink_;
   ValueBank bank_;
   std::vector<std::unique_ptr<FactTable>> tables_;  ///< By relation.
   std::vector<std::unique_ptr<FactTable>> asked_;   ///< By relation: defaults.
@@ -140,11 +150,10 @@ class Evaluator {
   std::vector<FactRef> premises_;
   std::vector<FactRef> trail_;  ///< Premises of the instance at hand.
   std::vector<AskedDefault> defaults_;
-  std::vector<FactRef> conflict_premises_;
+  std::vector<Literal> literals_;  ///< Of the instance at hand, for the sink.
   std::vector<std::unique_ptr<CompiledQuery>> queries_;
   std::vector<std::unique_ptr<Invocation>> invocations_;
   std::size_t calling_ = 0;  ///< Of invocations_, how many are in progress.
-  std::size_t conflict_ = kNoIndex;
   bool is_open_ = false;
   bool is_inconsistent_ = false;
   bool restart_ = false;  ///< The strata have changed.

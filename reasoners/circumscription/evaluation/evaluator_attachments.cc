@@ -146,6 +146,7 @@ void Evaluator::KeepOutputs(Invocation& invocation) {
     }
     if (input == arguments.size()) ++next;
     tables_[invocation.relation]->Insert(cells_, info);
+    if (sink_ != nullptr) sink_->Give(invocation.relation, cells_);
   }
 }
 
@@ -197,6 +198,7 @@ void Evaluator::Query(std::span<const logic::Literal> query, std::size_t variabl
   Invocation& invocation = *invocations_[calling_ - 1];
   std::vector<logic::Term>& terms = invocation.answer;
   for (std::uint32_t row = 0; row < answers.size() && !stops(); ++row) {
+    if (sink_ != nullptr && !IsCertain(Premises(answers.info(row)))) continue;
     for (const FactRef premise : Premises(answers.info(row))) invocation.seen.push_back(premise);
     terms.clear();
     for (const Value& value : answers.Row(row)) terms.push_back(bank_.ToTerm(value));

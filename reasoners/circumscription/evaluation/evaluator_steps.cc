@@ -68,7 +68,8 @@ void Evaluator::CheckAbsent(const Frame& frame, std::size_t step) {
   if (!BuildCells(absent.arguments, frame.base)) return;
   const std::uint32_t contrary = tables_[absent.relation]->Find(cells_);
   const std::uint32_t asked = AskDefault(absent.relation, contrary);
-  if (contrary != FactTable::kNone) return;
+  // In grounding, a fact is one that may hold: whether its contrary is certain is asked later.
+  if (contrary != FactTable::kNone && sink_ == nullptr) return;
   trail_.push_back({FactRef::kAssumption, asked});
   Continue(frame, step + 1);
   trail_.pop_back();

@@ -2,7 +2,6 @@
 #include "reasoners/circumscription/exact/derivation.h"
 
 #include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -76,23 +75,6 @@ sdk::Derivation DeriveFact(const Evaluator& evaluator, FactRef fact,
   Writer writer(evaluator, ports);
   writer.Write(fact);
   return std::move(writer.derivation);
-}
-
-std::string DescribeGrounds(const Evaluator& evaluator, std::span<const FactRef> facts) {
-  std::vector<FactRef> open(facts.begin(), facts.end());
-  std::set<Key> seen;
-  std::string text;
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    const FactRef fact = open[i];
-    if (fact.relation == FactRef::kAssumption || !seen.insert(KeyOf(fact)).second) continue;
-    const FactInfo& info = evaluator.InfoOf(fact);
-    if (info.origin == FactInfo::Origin::kLatch) {
-      text += (text.empty() ? "" : ", ") + ToString(evaluator.FactOf(fact));
-    }
-    const auto premises = evaluator.Premises(info);
-    open.insert(open.end(), premises.begin(), premises.end());
-  }
-  return text;
 }
 
 }  // namespace latchwork::circumscription

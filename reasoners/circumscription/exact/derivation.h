@@ -15,10 +15,6 @@ namespace latchwork::circumscription {
 sdk::Derivation DeriveFact(const Evaluator& evaluator, FactRef fact,
                            std::span<const std::string> ports);
 
-/// The facts of latches, without repetition, and the names of the clauses that a set of facts rests
-/// on: "clause 'x' with p(a), q(b)".
-std::string DescribeGrounds(const Evaluator& evaluator, std::span<const FactRef> facts);
-
 }  // namespace latchwork::circumscription
 
 #endif  // LATCHWORK_REASONERS_CIRCUMSCRIPTION_EXACT_DERIVATION_H_

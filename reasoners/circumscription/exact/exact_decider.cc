@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reasoners/circumscription/exact/exact_decider.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -10,49 +8,49 @@
 
 namespace latchwork::circumscription {
 
-ExactDecider::ExactDecider(const sdk::Body& body, logic::SymbolTable& symbols)
-    : body_(body), program_(Program::Purpose::kCertificate, body, symbols), evaluator_(program_) {}
+ExactDecider::ExactDecider(const sdk::Body& body, logic::SymbolTable& symbols, bool is_brave)
+    : body_(body),
+      program_(Program::Purpose::kCertificate, body, symbols),
+      evaluator_(program_),
+      search_(body, symbols, is_brave),
+      must_search_(is_brave || !body.fixed.empty()) {}
 
 logic::Diagnostics ExactDecider::Compile(std::vector<logic::Clause> clauses) {
-  logic::Diagnostics diagnostics = program_.Compile(std::move(clauses));
-  if (diagnostics.empty() && goals_.empty()) CompileGoals(diagnostics);
+  logic::Diagnostics diagnostics = search_.Compile(clauses);
+  if (!diagnostics.empty()) return diagnostics;
+  diagnostics = program_.Compile(std::move(clauses));
+  if (diagnostics.empty() && goals_.empty()) goals_ = CompileGoals(body_, program_, diagnostics);
   return diagnostics;
 }
 
-bool ExactDecider::CompileGoals(logic::Diagnostics& diagnostics) {
-  for (const sdk::Goal& goal : body_.goals) {
-    const logic::Literal literal{true, goal.pattern};
-    CompiledGoal compiled;
-    compiled.answers = program_.AddAnswers(goal.variables);
-    std::string problem;
-    auto rule = program_.CompileQuery({&literal, 1}, goal.variables, compiled.answers, problem);
-    if (!rule) {
-      diagnostics.push_back(
-          {{},
-           fmt::format("goal {} cannot be grounded: {}", ToString(goal.pattern), problem),
-           "",
-           ""});
-      return false;
-    }
-    compiled.rule = *std::move(rule);
-    goals_.push_back(std::move(compiled));
-  }
-  return true;
+bool ExactDecider::Search(std::span<const sdk::Latch> latches, const sdk::Budget& budget,
+                          sdk::Decision& decision) {
+  searched_ = true;
+  const bool is_decided = search_.Decide(latches, budget, decision);
+  if (!is_decided) reason_ = search_.reason();
+  return is_decided;
 }
 
 bool ExactDecider::Decide(std::span<const sdk::Latch> latches, const sdk::Budget& budget,
                           sdk::Decision& decision) {
+  if (must_search_) return Search(latches, budget, decision);
   ports_.resize(latches.size());
   for (std::size_t i = 0; i < latches.size(); ++i) ports_[i] = latches[i].port;
   const Evaluator::End end = evaluator_.Run(body_.facts, latches, budget);
+  searched_ = false;
   if (end == Evaluator::End::kRefused) {
     reason_ = evaluator_.refusal();
     return false;
   }
-  if (end == Evaluator::End::kOpen) {
-    reason_ = "there is more than one minimal world";
-    return false;
+  // Search finds the least core of a contradiction, too.
+  if (end == Evaluator::End::kOpen || end == Evaluator::End::kInconsistent) {
+    return Search(latches, budget, decision);
   }
+  Fill(end, decision);
+  return true;
+}
+
+void ExactDecider::Fill(Evaluator::End end, sdk::Decision& decision) {
   decision.limit = evaluator_.spending().limit();
   decision.message.clear();
   decision.statistics = {};
@@ -61,15 +59,10 @@ bool ExactDecider::Decide(std::span<const sdk::Latch> latches, const sdk::Budget
   decision.states.clear();
   decision.status = sdk::Status::kUnknown;
   conclusions_.clear();
-  if (end == Evaluator::End::kInconsistent) {
-    ReportConflict(decision);
-  } else if (end == Evaluator::End::kModel) {
-    AnswerGoals(decision);
-  }
+  if (end == Evaluator::End::kModel) AnswerGoals(decision);
   ListAssumptions(decision);
   decision.statistics.inferences = evaluator_.spending().inferences();
   decision.statistics.attachment_calls = evaluator_.spending().attachment_calls;
-  return true;
 }
 
 void ExactDecider::AnswerGoals(sdk::Decision& decision) {
@@ -131,16 +124,8 @@ void ExactDecider::ListAssumptions(sdk::Decision& decision) const {
   }
 }
 
-void ExactDecider::ReportConflict(sdk::Decision& decision) const {
-  decision.status = sdk::Status::kInconsistent;
-  const std::size_t clause = program_.rules()[evaluator_.conflict()].clause;
-  const std::string grounds = DescribeGrounds(evaluator_, evaluator_.conflict_premises());
-  decision.message =
-      fmt::format("body and latches contradict each other: clause '{}'{}{}",
-                  program_.clauses()[clause].name, grounds.empty() ? "" : " with ", grounds);
-}
-
 sdk::Derivation ExactDecider::Explain(const sdk::Decision& decision, std::size_t conclusion) const {
+  if (searched_) return search_.Explain(decision, conclusion);
   if (conclusion >= conclusions_.size() || conclusion >= decision.conclusions.size()) return {};
   return DeriveFact(evaluator_, conclusions_[conclusion], ports_);
 }

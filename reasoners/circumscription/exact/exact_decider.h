@@ -11,16 +11,18 @@
 
 #include "latchwork/sdk/reasoner.h"
 #include "reasoners/circumscription/evaluation/evaluator.h"
+#include "reasoners/circumscription/exact/compiled_goals.h"
+#include "reasoners/circumscription/exact/search_decider.h"
 #include "reasoners/circumscription/rules/program.h"
 
 namespace latchwork::circumscription {
 
-/// Decides the goals of a body by exact circumscription of what is ground in a cycle. Not
-/// thread-safe.
+/// Decides the goals of a body by exact circumscription of what is ground in a cycle: evaluation of
+/// its rules where that is a certificate of the only minimal world, else search. Not thread-safe.
 class ExactDecider {
  public:
   /// `body` and `symbols` outlive it.
-  ExactDecider(const sdk::Body& body, logic::SymbolTable& symbols);
+  ExactDecider(const sdk::Body& body, logic::SymbolTable& symbols, bool is_brave);
 
   /// Why the clauses cannot be grounded, each with its place; empty: they are loaded.
   logic::Diagnostics Compile(std::vector<logic::Clause> clauses);
@@ -33,22 +35,21 @@ class ExactDecider {
   sdk::Derivation Explain(const sdk::Decision& decision, std::size_t conclusion) const;
 
  private:
-  struct CompiledGoal {
-    std::size_t answers = 0;  ///< The relation of its answers.
-    Rule rule;
-  };
-
-  bool CompileGoals(logic::Diagnostics& diagnostics);
+  bool Search(std::span<const sdk::Latch> latches, const sdk::Budget& budget,
+              sdk::Decision& decision);
+  void Fill(Evaluator::End end, sdk::Decision& decision);
   void AnswerGoals(sdk::Decision& decision);
   void ListAssumptions(sdk::Decision& decision) const;
   void ListConclusion(std::size_t goal, std::uint32_t row, sdk::Conclusion& conclusion);
   void Collect(const FactInfo& info, std::vector<std::size_t>& assumptions);
-  void ReportConflict(sdk::Decision& decision) const;
 
   const sdk::Body& body_;
   Program program_;
   Evaluator evaluator_;
-  std::vector<CompiledGoal> goals_;
+  CompiledGoals goals_;
+  SearchDecider search_;
+  bool must_search_;                ///< No certificate is sought.
+  bool searched_ = false;           ///< For the last decision.
   std::vector<std::string> ports_;  ///< Of the latches of the last decision.
   std::vector<FactRef> open_;
   std::vector<FactRef> conclusions_;  ///< The answers behind the conclusions.

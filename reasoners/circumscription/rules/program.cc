@@ -159,8 +159,8 @@ void Program::Stratify() {
   do {
     const StrataOf found = FindStrata(relations_.size(), FindDependencies());
     for (std::size_t i = 0; i < relations_.size(); ++i) relations_[i].stratum = found.stratum[i];
-    strata_.assign(found.is_recursive.size(), {});
-    for (std::size_t i = 0; i < strata_.size(); ++i) {
+    strata_.assign(std::max<std::size_t>(1, found.is_recursive.size()), {});
+    for (std::size_t i = 0; i < found.is_recursive.size(); ++i) {
       strata_[i].is_recursive = found.is_recursive[i];
     }
   } while (DemoteUnstratified());
@@ -190,7 +190,9 @@ bool Program::DemoteUnstratified() {
   return found;
 }
 
-/// Rules go to the first stratum in which they conclude something, constraints to the end.
+/// Rules go to the first stratum in which they conclude something; constraints to the end, or in
+/// grounding, where what attachments ask for heeds them, to the first stratum after which they can be
+/// looked at.
 void Program::Arrange() {
   constraints_.clear();
   for (std::size_t i = 0; i < rules_.size(); ++i) {
@@ -198,6 +200,7 @@ void Program::Arrange() {
     std::size_t stratum = kNoIndex;
     for (const Head& head : rule.heads) {
       stratum = std::min(stratum, relations_[head.relation].stratum);
+      relations_[head.relation].is_concluded = true;
     }
     rule.ordinals = 0;
     for (Step& step : rule.steps) {
@@ -205,8 +208,22 @@ void Program::Arrange() {
                           relations_[step.relation].stratum == stratum;
       step.ordinal = is_own ? rule.ordinals++ : kNoIndex;
     }
-    (stratum == kNoIndex ? constraints_ : strata_[stratum].rules).push_back(i);
+    if (stratum != kNoIndex) {
+      strata_[stratum].rules.push_back(i);
+    } else if (purpose_ == Purpose::kCertificate) {
+      constraints_.push_back(i);
+    } else {
+      strata_[LastStratumOf(rule)].checks.push_back(i);
+    }
   }
+}
+
+std::size_t Program::LastStratumOf(const Rule& rule) const {
+  std::size_t last = 0;
+  for (const Step& step : rule.steps) {
+    if (step.relation != kNoIndex) last = std::max(last, relations_[step.relation].stratum);
+  }
+  return last;
 }
 
 namespace {

@@ -64,6 +64,7 @@ class Program {
   Dependencies FindDependencies() const;
   bool DemoteUnstratified();
   void Arrange();
+  std::size_t LastStratumOf(const Rule& rule) const;
   void CheckGrowth(logic::Diagnostics& diagnostics) const;
 
   Purpose purpose_;

@@ -67,6 +67,7 @@ struct RelationInfo {
   logic::PredicateName name;
   int level = 0;  ///< Of a minimized predicate: 1 is minimized first. 0: not minimized.
   bool is_fixed = false;
+  bool is_concluded = false;  ///< Some clause has it as its head.
   std::size_t attachment = kNoIndex;
   std::vector<std::size_t> columns;  ///< That are looked up.
   std::size_t stratum = 0;
@@ -74,6 +75,7 @@ struct RelationInfo {
 
 struct Stratum {
   std::vector<std::size_t> rules;
+  std::vector<std::size_t> checks;  ///< Constraints that can be looked at after it.
   bool is_recursive = false;
 };
 

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reasoners/circumscription/exact/search_decider.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <climits>
+#include <utility>
+
+namespace latchwork::circumscription {
+namespace {
+
+constexpr int kConflicts = 100'000;
+constexpr std::size_t kCalls = 10'000;
+constexpr std::size_t kMaxTerms = 1U << 16U;
+// Instances of earlier cycles are kept while they are not many more than those of this one.
+constexpr std::size_t kKept = 4;
+constexpr std::size_t kAlwaysKept = 2000;
+// Joint states are listed for no more undecided instances than these.
+constexpr std::size_t kMaxJoint = 6;
+
+}  // namespace
+
+SearchDecider::SearchDecider(const sdk::Body& body, logic::SymbolTable& symbols, bool is_brave)
+    : body_(body),
+      is_brave_(is_brave),
+      program_(Program::Purpose::kGrounding, body, symbols),
+      evaluator_(program_, this),
+      store_(program_.relations()) {}
+
+logic::Diagnostics SearchDecider::Compile(std::vector<logic::Clause> clauses) {
+  logic::Diagnostics diagnostics = program_.Compile(std::move(clauses));
+  if (goals_.empty()) goals_ = CompileGoals(body_, program_, diagnostics);
+  return diagnostics;
+}
+
+void SearchDecider::Instance(std::size_t clause, std::span<const Literal> literals) {
+  ++instances_;
+  store_.Add(clause, literals);
+}
+
+Evaluator::End SearchDecider::Ground(std::span<const sdk::Latch> latches,
+                                     const sdk::Budget& budget) {
+  const bool is_full = store_.size() > kAlwaysKept && store_.size() > kKept * instances_;
+  if (is_full || evaluator_.terms() > kMaxTerms) {
+    engine_.reset();
+    store_.Clear();
+    evaluator_.ForgetTerms();
+  }
+  instances_ = 0;
+  store_.BeginGiven();
+  return evaluator_.Run(body_.facts, latches, budget);
+}
+
+/// Lets the engine stand for the store and for what is given now.
+void SearchDecider::Prepare() {
+  const std::size_t atoms = store_.theory().atoms.size();
+  if (!engine_ || prepared_ != store_.size() || prepared_atoms_ != atoms) {
+    EngineOptions options;
+    options.conflicts = kConflicts;
+    options.calls = kCalls;
+    engine_ = std::make_unique<Engine>(store_.theory(), options);
+    prepared_ = store_.size();
+    prepared_atoms_ = atoms;
+  }
+  latches_ = store_.Latches();
+  engine_->SetLatches(latches_);
+}
+
+bool SearchDecider::IsCertain(std::span<const Literal> literals) {
+  if (literals.empty()) return true;
+  Prepare();
+  return std::all_of(literals.begin(), literals.end(), [&](Literal literal) {
+    return engine_->EntailsAlways({&literal, 1}).verdict == Verdict::kYes;
+  });
+}
+
+bool SearchDecider::Decide(std::span<const sdk::Latch> latches, const sdk::Budget& budget,
+                           sdk::Decision& decision) {
+  const Evaluator::End end = Ground(latches, budget);
+  if (end == Evaluator::End::kRefused) return false;
+  decision.Clear();
+  decision.status = sdk::Status::kUnknown;
+  decision.limit = evaluator_.spending().limit();
+  decision.statistics.inferences = evaluator_.spending().inferences();
+  decision.statistics.attachment_calls = evaluator_.spending().attachment_calls;
+  if (end != Evaluator::End::kSpent) Answer(decision);
+  return true;
+}
+
+void SearchDecider::Answer(sdk::Decision& decision) {
+  Prepare();
+  made_.clear();
+  concluded_.clear();
+  undecided_.clear();
+  is_unknown_ = false;
+  const Verdict inconsistent = engine_->IsInconsistent().verdict;
+  if (inconsistent == Verdict::kYes) {
+    decision.status = sdk::Status::kInconsistent;
+    decision.message = Describe(store_, evaluator_, MinimalCore(store_.theory(), latches_));
+    return;
+  }
+  is_unknown_ = inconsistent == Verdict::kUnknown;
+  for (std::size_t goal = 0; goal < goals_.size() && !is_unknown_; ++goal) {
+    AnswerGoal(goal, decision);
+  }
+  ListAssumptions(decision);
+  if (!is_brave_) ListGrounds(decision);
+  ListStates(decision);
+  if (is_unknown_) {
+    decision.limit = sdk::Limit::kInferences;
+  } else if (decision.undecided.empty()) {
+    decision.status = decision.conclusions.empty() ? sdk::Status::kRefuted : sdk::Status::kProved;
+  }
+}
+
+SearchDecider::Standing SearchDecider::StandingOf(Literal literal) {
+  const Literal contrary = -literal;
+  const Verdict holds = is_brave_ ? engine_->HoldsSomewhere({&literal, 1}).verdict
+                                  : engine_->EntailsAlways({&literal, 1}).verdict;
+  if (holds == Verdict::kYes) return Standing::kConcluded;
+  if (holds == Verdict::kUnknown) return Standing::kUnknown;
+  if (is_brave_) return Standing::kRefuted;
+  const Verdict fails = engine_->EntailsAlways({&contrary, 1}).verdict;
+  if (fails == Verdict::kUnknown) return Standing::kUnknown;
+  return fails == Verdict::kYes ? Standing::kRefuted : Standing::kUndecided;
+}
+
+void SearchDecider::AnswerGoal(std::size_t goal, sdk::Decision& decision) {
+  evaluator_.Answer(goals_[goal].rule);
+  const FactTable& answers = evaluator_.table(goals_[goal].answers);
+  const bool first_only = body_.goals[goal].answers == sdk::Goal::Answers::kFirst;
+  bool found = false;
+  for (std::uint32_t row = 0; row < answers.size() && !(found && first_only); ++row) {
+    const FactRef fact = evaluator_.Premises(answers.info(row)).front();
+    const bool by_body = evaluator_.InfoOf(fact).origin == FactInfo::Origin::kBody;
+    const Atom atom =
+        by_body ? 0 : store_.Find(fact.relation, evaluator_.table(fact.relation).Row(fact.row));
+    const Standing standing = atom == 0 ? Standing::kConcluded : StandingOf(atom);
+    is_unknown_ = is_unknown_ || standing == Standing::kUnknown;
+    if (standing == Standing::kConcluded) {
+      decision.conclusions.push_back({goal, evaluator_.FactOf(fact), {}});
+      concluded_.push_back(atom);
+      found = true;
+    } else if (standing == Standing::kUndecided) {
+      decision.undecided.push_back({goal, evaluator_.FactOf(fact), {}});
+      undecided_.push_back(atom);
+    }
+  }
+}
+
+/// Of the minimized atoms that may hold now: those that hold in no minimal world are assumed false,
+/// those that hold in all are retracted.
+void SearchDecider::ListAssumptions(sdk::Decision& decision) {
+  for (std::size_t relation = 0; relation < program_.relations().size(); ++relation) {
+    if (program_.relations()[relation].level == 0) continue;
+    const std::uint32_t rows = evaluator_.table(relation).size();
+    for (std::uint32_t row = 0; row < rows; ++row) ListAssumption(relation, row, decision);
+  }
+}
+
+void SearchDecider::ListAssumption(std::size_t relation, std::uint32_t row,
+                                   sdk::Decision& decision) {
+  if (evaluator_.table(relation).info(row).origin != FactInfo::Origin::kRule) return;
+  const Literal atom = store_.Find(relation, evaluator_.table(relation).Row(row));
+  const Literal contrary = -atom;
+  if (atom == 0) return;
+  const bool is_made = engine_->EntailsAlways({&contrary, 1}).verdict == Verdict::kYes;
+  if (!is_made && engine_->EntailsAlways({&atom, 1}).verdict != Verdict::kYes) return;
+  const FactRef fact{static_cast<std::uint32_t>(relation), row};
+  decision.assumptions.push_back(
+      {evaluator_.FactOf(fact),
+       is_made ? sdk::Assumption::State::kMade : sdk::Assumption::State::kRetracted});
+  made_.push_back(is_made ? contrary : 0);
+}
+
+/// What each conclusion rests on, as few assumptions as will do.
+void SearchDecider::ListGrounds(sdk::Decision& decision) const {
+  std::vector<Literal> made;
+  std::copy_if(made_.begin(), made_.end(), std::back_inserter(made),
+               [](Literal literal) { return literal != 0; });
+  for (std::size_t i = 0; i < concluded_.size(); ++i) {
+    if (concluded_[i] == 0) continue;
+    const auto core = ReasonsFor(store_.theory(), latches_, made, concluded_[i]);
+    if (!core) continue;
+    for (const Literal literal : core->latches) {
+      const auto place = std::find(made_.begin(), made_.end(), literal);
+      if (place == made_.end()) continue;
+      decision.conclusions[i].assumptions.push_back(
+          static_cast<std::size_t>(place - made_.begin()));
+    }
+    std::sort(decision.conclusions[i].assumptions.begin(),
+              decision.conclusions[i].assumptions.end());
+  }
+}
+
+void SearchDecider::ListStates(sdk::Decision& decision) {
+  if (undecided_.size() < 2 || undecided_.size() > kMaxJoint) return;
+  for (std::size_t state = 0; state < (std::size_t{1} << undecided_.size()); ++state) {
+    std::vector<Literal> literals;
+    sdk::GoalState together;
+    for (std::size_t i = 0; i < undecided_.size(); ++i) {
+      const bool holds = ((state >> i) & 1U) != 0;
+      literals.push_back(holds ? undecided_[i] : -undecided_[i]);
+      if (holds) together.push_back(i);
+    }
+    if (engine_->HoldsSomewhere(literals).verdict != Verdict::kNo) {
+      decision.states.push_back(std::move(together));
+    }
+  }
+  sdk::Unite(decision.states);
+}
+
+sdk::Derivation SearchDecider::Explain(const sdk::Decision& decision,
+                                       std::size_t conclusion) const {
+  if (conclusion >= concluded_.size() || conclusion >= decision.conclusions.size()) return {};
+  std::vector<Literal> made;
+  for (const Literal literal : made_) {
+    if (literal != 0) made.push_back(literal);
+  }
+  std::optional<Core> core;
+  if (concluded_[conclusion] != 0) {
+    core = ReasonsFor(store_.theory(), latches_, made, concluded_[conclusion]);
+  }
+  return DeriveFromCore(store_, evaluator_, core, decision.conclusions[conclusion].fact);
+}
+
+}  // namespace latchwork::circumscription
