@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,6 +37,12 @@ class CircumscriptionReasoner final : public sdk::Reasoner {
   logic::Diagnostics Tell(std::string_view text) override;
   logic::Diagnostics Retract(std::string_view name) override;
   sdk::Derivation Explain(std::size_t conclusion) override;
+
+  /// Why the default of an assumption of the last decision was made, or which facts of latches
+  /// retracted it. Nothing where the decision was bounded, or needed a search.
+  std::optional<Explanation> ExplainDefault(std::size_t assumption) const;
+  /// Why no instance of a goal, or of any other atom, was concluded in the last decision.
+  std::optional<Explanation> WhyNot(const logic::Atom& pattern) const;
 
   /// Whether decisions are exact now; where they are not, why_bounded() says why.
   bool is_exact() const { return exact_ != nullptr; }

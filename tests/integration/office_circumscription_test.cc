@@ -73,5 +73,26 @@ TEST(OfficeCircumscriptionTest, OneFloorUp) { ExpectTheProversConclusions("scena
 TEST(OfficeCircumscriptionTest, AnotherFloor) { ExpectTheProversConclusions("scenario3.xml", "3"); }
 TEST(OfficeCircumscriptionTest, ABadDay) { ExpectTheProversConclusions("events.xml", "1"); }
 
+json Reflex(const TemporaryFolder& folder, std::vector<std::string> more, int exit_code) {
+  std::vector<std::string> arguments{
+      "run", std::string(kExamples) + "reflex.xml", "--out", "out", "--quiet", "--seed", "1"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  EXPECT_EQ(RunLatchwork(arguments, folder.path()).exit_code, exit_code);
+  return json::parse(ReadText(folder.path() / "out/summary.json"));
+}
+
+/// A bound that is too low assumes the wall away, which is counted; minimal models do not.
+TEST(OfficeCircumscriptionTest, ABoundTooLowAssumesTheWallAway) {
+  const TemporaryFolder folder;
+  const json exact = Reflex(folder, {}, 0);
+  EXPECT_EQ(exact.at("collisions"), 0);
+  EXPECT_EQ(exact.at("layers").at(0).at("assumed_by_bound"), 0);
+  EXPECT_GT(exact.at("layers").at(0).at("retracted"), 0);
+  const json bounded = Reflex(folder, {"--scenario", std::string(kExamples) + "bounded.xml"}, 1);
+  EXPECT_EQ(bounded.at("collisions"), 1);
+  EXPECT_GT(bounded.at("layers").at(0).at("assumed_by_bound"), 0);
+  EXPECT_EQ(bounded.at("layers").at(0).at("retracted"), 0);
+}
+
 }  // namespace
 }  // namespace latchwork::testing

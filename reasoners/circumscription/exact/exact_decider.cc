@@ -10,6 +10,7 @@ namespace latchwork::circumscription {
 
 ExactDecider::ExactDecider(const sdk::Body& body, logic::SymbolTable& symbols, bool is_brave)
     : body_(body),
+      symbols_(symbols),
       program_(Program::Purpose::kCertificate, body, symbols),
       evaluator_(program_),
       search_(body, symbols, is_brave),
@@ -54,12 +55,12 @@ void ExactDecider::Fill(Evaluator::End end, sdk::Decision& decision) {
   decision.limit = evaluator_.spending().limit();
   decision.message.clear();
   decision.statistics = {};
-  decision.conclusions.clear();
   decision.undecided.clear();
   decision.states.clear();
   decision.status = sdk::Status::kUnknown;
   conclusions_.clear();
   if (end == Evaluator::End::kModel) AnswerGoals(decision);
+  decision.conclusions.resize(conclusions_.size());
   ListAssumptions(decision);
   decision.statistics.inferences = evaluator_.spending().inferences();
   decision.statistics.attachment_calls = evaluator_.spending().attachment_calls;
@@ -73,11 +74,13 @@ void ExactDecider::AnswerGoals(sdk::Decision& decision) {
     const bool first_only = body_.goals[goal].answers == sdk::Goal::Answers::kFirst;
     const std::uint32_t wanted = first_only ? std::min(1U, answers.size()) : answers.size();
     for (std::uint32_t row = 0; row < wanted; ++row) {
-      ListConclusion(goal, row, decision.conclusions.emplace_back());
+      const std::size_t next = conclusions_.size();
+      if (next == decision.conclusions.size()) decision.conclusions.emplace_back();
+      ListConclusion(goal, row, decision.conclusions[next]);
       decision.statistics.depth = std::max(decision.statistics.depth, answers.info(row).height);
     }
   }
-  decision.status = decision.conclusions.empty() ? sdk::Status::kRefuted : sdk::Status::kProved;
+  decision.status = conclusions_.empty() ? sdk::Status::kRefuted : sdk::Status::kProved;
 }
 
 void ExactDecider::ListConclusion(std::size_t goal, std::uint32_t row,
@@ -122,6 +125,33 @@ void ExactDecider::ListAssumptions(sdk::Decision& decision) const {
                            ? sdk::Assumption::State::kMade
                            : sdk::Assumption::State::kRetracted;
   }
+}
+
+std::optional<Explanation> ExactDecider::ExplainDefault(std::size_t assumption) const {
+  const auto defaults = evaluator_.defaults();
+  if (searched_ || assumption >= defaults.size()) return std::nullopt;
+  const AskedDefault& asked = defaults[assumption];
+  const logic::Fact atom = evaluator_.DefaultAtom(asked);
+  Explanation explanation{ToString(atom), asked.contrary != FactTable::kNone, {}, {}};
+  if (explanation.holds) {
+    explanation.derivation = DeriveFact(evaluator_, {asked.relation, asked.contrary}, ports_);
+  } else {
+    explanation.misses = NearMissesOf(atom, evaluator_, symbols_);
+  }
+  return explanation;
+}
+
+std::optional<Explanation> ExactDecider::WhyNot(const logic::Atom& pattern) const {
+  if (searched_) return std::nullopt;
+  Explanation explanation{ToString(pattern), false, {}, {}};
+  for (std::size_t i = 0; i < conclusions_.size() && !explanation.holds; ++i) {
+    const logic::Fact fact = evaluator_.FactOf(conclusions_[i]);
+    if (NameOf(fact) != NameOf(pattern) || (pattern.is_ground() && !(fact == pattern))) continue;
+    explanation.holds = true;
+    explanation.derivation = DeriveFact(evaluator_, conclusions_[i], ports_);
+  }
+  if (!explanation.holds) explanation.misses = NearMissesOf(pattern, evaluator_, symbols_);
+  return explanation;
 }
 
 sdk::Derivation ExactDecider::Explain(const sdk::Decision& decision, std::size_t conclusion) const {

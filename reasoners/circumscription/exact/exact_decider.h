@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "reasoners/circumscription/evaluation/evaluator.h"
 #include "reasoners/circumscription/exact/compiled_goals.h"
 #include "reasoners/circumscription/exact/search_decider.h"
+#include "reasoners/circumscription/explanation/explanation.h"
 #include "reasoners/circumscription/rules/program.h"
 
 namespace latchwork::circumscription {
@@ -31,6 +33,11 @@ class ExactDecider {
   bool Decide(std::span<const sdk::Latch> latches, const sdk::Budget& budget,
               sdk::Decision& decision);
   const std::string& reason() const { return reason_; }
+  /// Why the default of an assumption was made, or what retracted it, in the last decision. Nothing
+  /// where this needed a search.
+  std::optional<Explanation> ExplainDefault(std::size_t assumption) const;
+  /// Why no instance of `pattern` is concluded, or how the first one is; as above.
+  std::optional<Explanation> WhyNot(const logic::Atom& pattern) const;
   /// Of the last decision that was filled.
   sdk::Derivation Explain(const sdk::Decision& decision, std::size_t conclusion) const;
 
@@ -44,6 +51,7 @@ class ExactDecider {
   void Collect(const FactInfo& info, std::vector<std::size_t>& assumptions);
 
   const sdk::Body& body_;
+  logic::SymbolTable& symbols_;
   Program program_;
   Evaluator evaluator_;
   CompiledGoals goals_;

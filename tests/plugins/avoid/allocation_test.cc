@@ -41,8 +41,8 @@ void Sense(LayerMind& mind, int cycle) {
 
 class AvoidAllocationTest : public ::testing::TestWithParam<const char*> {};
 
-INSTANTIATE_TEST_SUITE_P(Reasoners, AvoidAllocationTest, ::testing::Values("pttp", "icarus"),
-                         ReasonerName);
+INSTANTIATE_TEST_SUITE_P(Reasoners, AvoidAllocationTest,
+                         ::testing::Values("pttp", "circumscription", "icarus"), ReasonerName);
 
 TEST_P(AvoidAllocationTest, DecisionsAllocateNothingAfterWarmUp) {
   LayerMind mind("avoid", {}, GetParam());

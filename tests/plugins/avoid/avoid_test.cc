@@ -27,7 +27,8 @@ class AvoidTest : public ::testing::TestWithParam<const char*> {
   LayerMind mind_{"avoid", {}, GetParam()};
 };
 
-INSTANTIATE_TEST_SUITE_P(Reasoners, AvoidTest, ::testing::Values("pttp", "icarus"), ReasonerName);
+INSTANTIATE_TEST_SUITE_P(Reasoners, AvoidTest,
+                         ::testing::Values("pttp", "circumscription", "icarus"), ReasonerName);
 
 TEST_P(AvoidTest, NothingAround_NothingToDo) { EXPECT_THAT(mind_.Decide(), IsEmpty()); }
 

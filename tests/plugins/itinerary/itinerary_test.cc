@@ -40,8 +40,8 @@ class ItineraryTest : public ::testing::TestWithParam<const char*> {
   LayerMind mind_{"itinerary", {}, GetParam()};
 };
 
-INSTANTIATE_TEST_SUITE_P(Reasoners, ItineraryTest, ::testing::Values("pttp", "icarus"),
-                         ReasonerName);
+INSTANTIATE_TEST_SUITE_P(Reasoners, ItineraryTest,
+                         ::testing::Values("pttp", "circumscription", "icarus"), ReasonerName);
 
 TEST_P(ItineraryTest, NoGoal_Silent) {
   mind_.Latch("place", {"curr_landmark(a)"});

@@ -17,7 +17,8 @@ class SeekTest : public ::testing::TestWithParam<const char*> {
   LayerMind mind_{"seek", {}, GetParam()};
 };
 
-INSTANTIATE_TEST_SUITE_P(Reasoners, SeekTest, ::testing::Values("pttp", "icarus"), ReasonerName);
+INSTANTIATE_TEST_SUITE_P(Reasoners, SeekTest,
+                         ::testing::Values("pttp", "circumscription", "icarus"), ReasonerName);
 
 TEST_P(SeekTest, NoDestination_Silent) { EXPECT_THAT(mind_.Decide(), IsEmpty()); }
 
