@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 namespace latchwork::circumscription {
 namespace {
 
@@ -28,6 +26,17 @@ std::string_view NameOf(Kind kind) {
   return "reduction";
 }
 
+/// A JSON string.
+std::string Quote(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += code < 0x20 ? fmt::format("\\u{:04x}", code) : std::string(1, c);
+  }
+  return quoted + '"';
+}
+
 }  // namespace
 
 std::string ToText(const Explanation& explanation) {
@@ -49,23 +58,22 @@ std::string ToText(const Explanation& explanation) {
 }
 
 std::string ToJson(const Explanation& explanation) {
-  nlohmann::ordered_json json{{"subject", explanation.subject}, {"holds", explanation.holds}};
-  nlohmann::ordered_json& list = json[explanation.holds ? "because" : "misses"];
-  list = nlohmann::ordered_json::array();
+  std::string json = fmt::format(R"({{"subject":{},"holds":{},"{}":[)", Quote(explanation.subject),
+                                 explanation.holds, explanation.holds ? "because" : "misses");
+  std::string_view separator;
   for (const sdk::DerivationStep& step : explanation.derivation.steps) {
-    list.push_back({{"conclusion", step.conclusion},
-                    {"kind", NameOf(step.kind)},
-                    {"source", step.source},
-                    {"line", step.place.line}});
+    json +=
+        fmt::format(R"({}{{"conclusion":{},"kind":"{}","source":{},"line":{}}})", separator,
+                    Quote(step.conclusion), NameOf(step.kind), Quote(step.source), step.place.line);
+    separator = ",";
   }
   for (const NearMiss& miss : explanation.misses) {
-    list.push_back({{"clause", miss.clause},
-                    {"line", miss.place.line},
-                    {"met", miss.met},
-                    {"premises", miss.premises},
-                    {"lacks", miss.lacks}});
+    json += fmt::format(R"({}{{"clause":{},"line":{},"met":{},"premises":{},"lacks":{}}})",
+                        separator, Quote(miss.clause), miss.place.line, miss.met, miss.premises,
+                        Quote(miss.lacks));
+    separator = ",";
   }
-  return json.dump();
+  return json + "]}";
 }
 
 }  // namespace latchwork::circumscription

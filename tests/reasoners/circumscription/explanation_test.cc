@@ -42,11 +42,11 @@ TEST_F(ExplanationTest, DefaultsAreMadeForWhatClausesLack) {
             "nothing concludes halt_robot:\n"
             "  'ahead' has 3 of 4 premises and lacks $less(0.75, 0.5)\n"
             "  'touched' has 0 of 1 premises and lacks bumper\n");
-  EXPECT_EQ(ToJson(*explanation),
-            R"({"subject":"halt_robot","holds":false,"misses":[)"
-            R"({"clause":"ahead","line":1,"met":3,"premises":4,"lacks":"$less(0.75, 0.5)"
-},)"
-            R"({"clause":"touched","line":3,"met":0,"premises":1,"lacks":"bumper"}]})");
+  const std::string expected =
+      "{\"subject\":\"halt_robot\",\"holds\":false,\"misses\":["
+      "{\"clause\":\"ahead\",\"line\":1,\"met\":3,\"premises\":4,\"lacks\":\"$less(0.75, 0.5)\"},"
+      "{\"clause\":\"touched\",\"line\":3,\"met\":0,\"premises\":1,\"lacks\":\"bumper\"}]}";
+  EXPECT_EQ(ToJson(*explanation), expected);
 }
 
 TEST_F(ExplanationTest, RetractionsNameTheFactsAndPortsBehindThem) {
@@ -60,7 +60,8 @@ TEST_F(ExplanationTest, RetractionsNameTheFactsAndPortsBehindThem) {
             "  distance(box, 0.25)  [latch latch1]\n"
             "  gap(0.5)  [latch latch0]\n"
             "  halt_robot  [clause ahead]\n");
-  EXPECT_THAT(ToJson(*explanation), ::testing::HasSubstr(R"("kind":"latch","source":"latch1")"));
+  EXPECT_THAT(ToJson(*explanation),
+              ::testing::HasSubstr("\"kind\":\"latch\",\"source\":\"latch1\""));
 }
 
 TEST_F(ExplanationTest, GoalsLackTheNearestPiece) {
