@@ -52,7 +52,7 @@ struct Confinement {
   std::string_view prefix;
   std::string_view folders;
 };
-constexpr std::array<Confinement, 15> kConfinements = {{
+constexpr std::array<Confinement, 16> kConfinements = {{
     {"mrpt/", "worlds/office/"},
     {"opencv2/", ""},
     {"Eigen/", ""},
@@ -60,6 +60,7 @@ constexpr std::array<Confinement, 15> kConfinements = {{
     {"xercesc/", "core/config/"},
     {"boost/dll/", "core/plugin/"},
     {"boost/math/", "apps/compare/"},
+    {"sqlite3.h", "apps/compare/"},
     {"dlfcn.h", "core/config/ core/plugin/"},
     {"cadical", "reasoners/circumscription/"},
     {"CLI/", "apps/"},
@@ -72,7 +73,8 @@ constexpr std::array<Confinement, 15> kConfinements = {{
     {"benchmark/", "tests/bench/"},
 }};
 
-constexpr std::array<std::string_view, 3> kSingleUser = {"xercesc/", "boost/dll/", "cadical"};
+constexpr std::array<std::string_view, 4> kSingleUser = {"xercesc/", "boost/dll/", "cadical",
+                                                         "sqlite3.h"};
 
 std::vector<std::string> Words(std::string_view text) {
   std::istringstream stream{std::string(text)};

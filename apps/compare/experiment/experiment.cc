@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/compare/experiment/experiment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+#include <utility>
+
+#include "latchwork/config/xml.h"
+
+namespace latchwork::compare {
+namespace {
+
+constexpr std::string_view kSchema = R"xsd(<?xml version="1.0" encoding="UTF-8"?>
+<xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema">
+  <xs:element name="experiment">
+    <xs:complexType>
+      <xs:choice minOccurs="0" maxOccurs="unbounded">
+        <xs:element name="scenario" type="Scenario"/>
+        <xs:element name="agent" type="Agent"/>
+      </xs:choice>
+      <xs:attribute name="format" type="Format" use="required"/>
+      <xs:attribute name="name" type="Name" use="required"/>
+      <xs:attribute name="seeds" type="Seeds" use="required"/>
+      <xs:attribute name="level" type="Level"/>
+      <xs:attribute name="wall" type="Seconds"/>
+      <xs:attribute name="memory" type="Megabytes"/>
+    </xs:complexType>
+  </xs:element>
+  <xs:complexType name="Scenario">
+    <xs:attribute name="name" type="Name" use="required"/>
+    <xs:attribute name="file" type="Path" use="required"/>
+  </xs:complexType>
+  <xs:complexType name="Agent">
+    <xs:choice minOccurs="0" maxOccurs="unbounded">
+      <xs:element name="set" type="Set"/>
+    </xs:choice>
+    <xs:attribute name="name" type="Name" use="required"/>
+    <xs:attribute name="fragment" type="Path"/>
+  </xs:complexType>
+  <xs:complexType name="Set">
+    <xs:attribute name="name" type="Setting" use="required"/>
+    <xs:attribute name="value" type="xs:string" use="required"/>
+  </xs:complexType>
+  <xs:simpleType name="Format">
+    <xs:annotation><xs:documentation>the number of the format, 1</xs:documentation></xs:annotation>
+    <xs:restriction base="xs:string"><xs:pattern value="1"/></xs:restriction>
+  </xs:simpleType>
+  <xs:simpleType name="Name">
+    <xs:annotation><xs:documentation>a name (a letter, then up to 63 letters, digits, '_' or '-')</xs:documentation></xs:annotation>
+    <xs:restriction base="xs:string"><xs:pattern value="[A-Za-z][A-Za-z0-9_\-]{0,63}"/></xs:restriction>
+  </xs:simpleType>
+  <xs:simpleType name="Seeds">
+    <xs:annotation><xs:documentation>seeds, the first and the last, as in 1-30</xs:documentation></xs:annotation>
+    <xs:restriction base="xs:string"><xs:pattern value="[0-9]{1,9}-[0-9]{1,9}"/></xs:restriction>
+  </xs:simpleType>
+  <xs:simpleType name="Level">
+    <xs:annotation><xs:documentation>a level of significance between 0 and 1, as in 0.05</xs:documentation></xs:annotation>
+    <xs:restriction base="xs:string"><xs:pattern value="0\.[0-9]{0,5}[1-9]"/></xs:restriction>
+  </xs:simpleType>
+  <xs:simpleType name="Seconds">
+    <xs:annotation><xs:documentation>seconds and their unit, as in 60s</xs:documentation></xs:annotation>
+    <xs:restriction base="xs:string"><xs:pattern value="[1-9][0-9]{0,5}s"/></xs:restriction>
+  </xs:simpleType>
+  <xs:simpleType name="Megabytes">
+    <xs:annotation><xs:documentation>megabytes and their unit, as in 4096MB</xs:documentation></xs:annotation>
+    <xs:restriction base="xs:string"><xs:pattern value="[1-9][0-9]{0,6}MB"/></xs:restriction>
+  </xs:simpleType>
+  <xs:simpleType name="Path">
+    <xs:annotation><xs:documentation>the path of a file</xs:documentation></xs:annotation>
+    <xs:restriction base="xs:string"><xs:pattern value=".{1,4096}"/></xs:restriction>
+  </xs:simpleType>
+  <xs:simpleType name="Setting">
+    <xs:annotation><xs:documentation>a part or its reasoner, a dot and a parameter, as in avoid.gain or avoid.reasoner.depth</xs:documentation></xs:annotation>
+    <xs:restriction base="xs:string"><xs:pattern value="[A-Za-z][A-Za-z0-9_\-]*(\.reasoner)?\.[A-Za-z0-9_\-]+"/></xs:restriction>
+  </xs:simpleType>
+</xs:schema>
+)xsd";
+
+constexpr std::uint64_t kMostSeeds = 100'000;
+
+/// A number that the schema has checked; what stands behind it is left out.
+std::uint64_t NumberOf(std::string_view text) {
+  std::uint64_t number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+class Reader {
+ public:
+  Reader(const config::Element& root, const std::filesystem::path& file)
+      : root_(root), folder_(file.parent_path()) {}
+
+  ExperimentFile Run() {
+    Experiment& experiment = experiment_;
+    experiment.name = root_.Find("name")->value;
+    ReadSeeds(*root_.Find("seeds"));
+    if (const auto* level = root_.Find("level")) {
+      const std::string& text = level->value;
+      std::from_chars(text.data(), text.data() + text.size(), experiment.level);
+    }
+    if (const auto* wall = root_.Find("wall")) {
+      experiment.limits.wall_seconds = static_cast<double>(NumberOf(wall->value));
+    }
+    if (const auto* memory = root_.Find("memory")) {
+      experiment.limits.memory_mb = NumberOf(memory->value);
+    }
+    for (const config::Element& child : root_.children) ReadChild(child);
+    if (experiment.scenarios.empty()) {
+      Say(root_.place, "there is no <scenario>", "add one: <scenario name=\"…\" file=\"…\"/>");
+    }
+    if (experiment.contenders.size() < 2) {
+      Say(root_.place, "a comparison needs two <agent> or more",
+          "add another: <agent name=\"…\" fragment=\"…\"/>");
+    }
+    ExperimentFile result;
+    if (diagnostics_.empty()) result.experiment = std::move(experiment_);
+    result.diagnostics = std::move(diagnostics_);
+    return result;
+  }
+
+ private:
+  void Say(const logic::SourcePlace& place, std::string message, std::string hint = "") {
+    diagnostics_.push_back({place, std::move(message), std::move(hint), ""});
+  }
+
+  void ReadSeeds(const config::Attribute& seeds) {
+    const std::size_t dash = seeds.value.find('-');
+    experiment_.first_seed = NumberOf(seeds.value);
+    experiment_.last_seed = NumberOf(std::string_view(seeds.value).substr(dash + 1));
+    if (experiment_.last_seed < experiment_.first_seed) {
+      Say(seeds.place, "the last seed comes before the first",
+          fmt::format("write {}-{}", experiment_.last_seed, experiment_.first_seed));
+    } else if (experiment_.last_seed - experiment_.first_seed >= kMostSeeds) {
+      Say(seeds.place, fmt::format("these are more than {} seeds", kMostSeeds));
+    }
+  }
+
+  void ReadChild(const config::Element& child) {
+    const std::string& name = child.Find("name")->value;
+    const bool is_scenario = child.name == "scenario";
+    std::vector<std::string>& known = is_scenario ? scenario_names_ : contender_names_;
+    if (std::ranges::find(known, name) != known.end()) {
+      Say(child.Find("name")->place,
+          fmt::format("there are two <{}> called '{}'", child.name, name));
+    }
+    known.push_back(name);
+    if (is_scenario) {
+      experiment_.scenarios.push_back({name, PathOf(*child.Find("file"))});
+      return;
+    }
+    Contender contender{name, std::nullopt, {}};
+    if (const auto* fragment = child.Find("fragment")) contender.fragment = PathOf(*fragment);
+    for (const config::Element& set : child.children) {
+      contender.settings.push_back(set.Find("name")->value + "=" + set.Find("value")->value);
+    }
+    experiment_.contenders.push_back(std::move(contender));
+  }
+
+  std::filesystem::path PathOf(const config::Attribute& attribute) {
+    const std::filesystem::path path = folder_ / attribute.value;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) {
+      Say(attribute.place, fmt::format("there is no file '{}'", path.string()),
+          "paths are relative to the experiment's file");
+    }
+    return path.lexically_normal();
+  }
+
+  const config::Element& root_;
+  std::filesystem::path folder_;
+  Experiment experiment_;
+  logic::Diagnostics diagnostics_;
+  std::vector<std::string> scenario_names_;
+  std::vector<std::string> contender_names_;
+};
+
+ExperimentFile Finish(config::XmlFile xml, const std::filesystem::path& file) {
+  if (!xml.diagnostics.empty()) return {std::nullopt, std::move(xml.diagnostics)};
+  return Reader(xml.root, file).Run();
+}
+
+}  // namespace
+
+ExperimentFile ReadExperiment(const std::filesystem::path& file) {
+  return Finish(config::ReadXml(file, kSchema), file);
+}
+
+ExperimentFile ReadExperimentText(std::string_view text, const std::filesystem::path& name) {
+  return Finish(config::ReadXmlText(text, name.string(), kSchema), name);
+}
+
+}  // namespace latchwork::compare

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_APPS_COMPARE_REPORT_FINDINGS_H_
+#define LATCHWORK_APPS_COMPARE_REPORT_FINDINGS_H_
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "apps/compare/experiment/experiment.h"
+#include "apps/compare/runs/run_record.h"
+#include "apps/compare/statistics/comparison.h"
+
+namespace latchwork::compare {
+
+/// How one contender fared in one scenario.
+struct Tally {
+  std::string scenario;
+  std::string contender;
+  std::size_t runs = 0;
+  std::map<Outcome, std::size_t> outcomes;
+  double mean_time_s = 0;  ///< In the world, of the runs that reached the goal.
+  double par2_s = 0;       ///< Of all; what failed counts twice the limit.
+};
+
+/// The first contender against another, over all seeds of a scenario that both have run.
+struct Duel {
+  std::string scenario;
+  std::string first;
+  std::string second;
+  double limit_s = 0;  ///< The longest that any run of the scenario lasted.
+  Comparison comparison;
+};
+
+/// What an experiment showed so far.
+struct Findings {
+  std::vector<Tally> tallies;
+  std::vector<Duel> duels;  ///< Corrected together.
+  std::vector<RunRecord> failures;
+};
+
+Findings Evaluate(const Experiment& experiment, const std::map<RunKey, RunRecord>& records);
+
+/// The findings for people: verdicts in words first, then tables, then each failure with the
+/// command that repeats it.
+std::string ToText(const Experiment& experiment, const Findings& findings);
+
+/// All runs, one line each, with a header.
+std::string ToCsv(const std::map<RunKey, RunRecord>& records);
+
+}  // namespace latchwork::compare
+
+#endif  // LATCHWORK_APPS_COMPARE_REPORT_FINDINGS_H_

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_APPS_COMPARE_RUNS_CHILD_PROCESS_H_
+#define LATCHWORK_APPS_COMPARE_RUNS_CHILD_PROCESS_H_
+
+#include <atomic>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "apps/compare/experiment/experiment.h"
+
+namespace latchwork::compare {
+
+/// How a process ended, and what it said.
+struct ChildResult {
+  enum class End { kExited, kSignalled, kTimedOut, kStopped, kNotStarted };
+  End end = End::kNotStarted;
+  int code = 0;        ///< Exit code, or the number of the signal.
+  std::string output;  ///< Standard output, up to 16 MB.
+  std::string errors;  ///< The last 4 KB of standard error, or why it was not started.
+  double wall_seconds = 0;
+  double cpu_seconds = 0;
+};
+
+/// Runs a program to its end within limits: wall time (then it is killed, with what it started) and
+/// address space. Standard input is empty. `stop`, set by anyone, ends it. Thread rule: safe from
+/// any thread.
+ChildResult RunChild(const std::filesystem::path& program,
+                     const std::vector<std::string>& arguments, const RunLimits& limits,
+                     const std::atomic<bool>& stop);
+
+}  // namespace latchwork::compare
+
+#endif  // LATCHWORK_APPS_COMPARE_RUNS_CHILD_PROCESS_H_

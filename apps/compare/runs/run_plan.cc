@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/compare/runs/run_plan.h"
+
+namespace latchwork::compare {
+namespace {
+
+std::vector<std::string> ArgumentsOf(const Scenario& scenario, const Contender& contender,
+                                     std::uint64_t seed) {
+  std::vector<std::string> arguments = {"run", scenario.file.string(), "--seed",
+                                        std::to_string(seed)};
+  if (contender.fragment) {
+    arguments.emplace_back("--scenario");
+    arguments.push_back(contender.fragment->string());
+  }
+  for (const std::string& setting : contender.settings) {
+    arguments.emplace_back("--set");
+    arguments.push_back(setting);
+  }
+  return arguments;
+}
+
+}  // namespace
+
+std::vector<PlannedRun> PlanRuns(const Experiment& experiment, const Shard& shard) {
+  std::vector<PlannedRun> runs;
+  std::size_t number = 0;
+  for (std::uint64_t seed = experiment.first_seed; seed <= experiment.last_seed; ++seed) {
+    for (const Scenario& scenario : experiment.scenarios) {
+      for (const Contender& contender : experiment.contenders) {
+        if (number++ % shard.count != shard.index) continue;
+        runs.push_back(
+            {{scenario.name, contender.name, seed}, ArgumentsOf(scenario, contender, seed)});
+      }
+    }
+  }
+  return runs;
+}
+
+}  // namespace latchwork::compare

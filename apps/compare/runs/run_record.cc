@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/compare/runs/run_record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace latchwork::compare {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::pair<Outcome, std::string_view>, 7> kNames = {{
+    {Outcome::kReached, "reached"},
+    {Outcome::kCollision, "collision"},
+    {Outcome::kNotReached, "not reached"},
+    {Outcome::kFailed, "failed"},
+    {Outcome::kTimedOut, "timed out"},
+    {Outcome::kCrashed, "crashed"},
+    {Outcome::kInvalid, "invalid"},
+}};
+
+double Measure(const Json& summary, const char* name) {
+  const auto measures = summary.find("measures");
+  if (measures == summary.end()) return 0;
+  const auto measure = measures->find(name);
+  return measure != measures->end() && measure->is_number() ? measure->get<double>() : 0;
+}
+
+LayerRecord ReadLayer(const Json& layer) {
+  LayerRecord record;
+  record.name = layer.value("name", "");
+  record.reasoner = layer.value("reasoner", "");
+  record.decisions = layer.value("decisions", std::uint64_t{0});
+  record.budget_hits = layer.value("budget_hits", std::uint64_t{0});
+  record.assumed_by_bound = layer.value("assumed_by_bound", std::uint64_t{0});
+  record.faults = layer.value("faults", std::uint64_t{0});
+  record.inferences = layer.value("/inferences/mean"_json_pointer, 0.0);
+  record.mean_us = layer.value("/time_us/mean"_json_pointer, 0.0);
+  record.p99_us = layer.value("/time_us/p99"_json_pointer, 0.0);
+  return record;
+}
+
+Outcome OutcomeIn(const Json& summary, std::uint64_t collisions) {
+  if (collisions > 0) return Outcome::kCollision;
+  const std::string said = summary.value("outcome", "");
+  if (said == "reached") return Outcome::kReached;
+  return said == "failed" ? Outcome::kFailed : Outcome::kNotReached;
+}
+
+void ReadSummary(const Json& summary, RunRecord& record) {
+  record.collisions = summary.value("collisions", std::uint64_t{0});
+  record.outcome = OutcomeIn(summary, record.collisions);
+  record.message = summary.value("message", "");
+  record.time_s = Measure(summary, "time_s");
+  record.distance_m = Measure(summary, "distance_m");
+  if (const auto layers = summary.find("layers"); layers != summary.end()) {
+    for (const Json& layer : *layers) record.layers.push_back(ReadLayer(layer));
+  }
+}
+
+std::string FirstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+}  // namespace
+
+std::string_view Name(Outcome outcome) {
+  return std::ranges::find(kNames, outcome, [](const auto& each) { return each.first; })->second;
+}
+
+std::optional<Outcome> OutcomeOf(std::string_view name) {
+  const auto* const found =
+      std::ranges::find(kNames, name, [](const auto& each) { return each.second; });
+  if (found == kNames.end()) return std::nullopt;
+  return found->first;
+}
+
+RunRecord Judge(const PlannedRun& run, const ChildResult& child) {
+  RunRecord record;
+  record.key = run.key;
+  record.command = fmt::format("latchwork {}", fmt::join(run.arguments, " "));
+  record.wall_s = child.wall_seconds;
+  record.cpu_s = child.cpu_seconds;
+  if (child.end == ChildResult::End::kTimedOut) {
+    record.outcome = Outcome::kTimedOut;
+    record.message = "ended: it took longer than the experiment allows";
+    return record;
+  }
+  const Json summary = Json::parse(child.output, nullptr, false);
+  const bool has_summary = summary.is_object() && summary.contains("outcome");
+  if (child.end == ChildResult::End::kExited && has_summary) {
+    ReadSummary(summary, record);
+    return record;
+  }
+  record.outcome =
+      child.end == ChildResult::End::kSignalled ? Outcome::kCrashed : Outcome::kInvalid;
+  record.message = child.end == ChildResult::End::kSignalled
+                       ? fmt::format("ended by signal {}", child.code)
+                       : FirstLine(child.errors);
+  if (child.errors.find("bad_alloc") != std::string::npos) record.outcome = Outcome::kCrashed;
+  return record;
+}
+
+std::string ToLine(const RunRecord& record) {
+  Json layers = Json::array();
+  for (const LayerRecord& layer : record.layers) {
+    layers.push_back({{"name", layer.name},
+                      {"reasoner", layer.reasoner},
+                      {"decisions", layer.decisions},
+                      {"budget_hits", layer.budget_hits},
+                      {"assumed_by_bound", layer.assumed_by_bound},
+                      {"faults", layer.faults},
+                      {"inferences", {{"mean", layer.inferences}}},
+                      {"time_us", {{"mean", layer.mean_us}, {"p99", layer.p99_us}}}});
+  }
+  const Json line = {{"scenario", record.key.scenario},
+                     {"agent", record.key.contender},
+                     {"seed", record.key.seed},
+                     {"outcome", Name(record.outcome)},
+                     {"message", record.message},
+                     {"command", record.command},
+                     {"measures", {{"time_s", record.time_s}, {"distance_m", record.distance_m}}},
+                     {"collisions", record.collisions},
+                     {"layers", layers},
+                     {"wall_s", record.wall_s},
+                     {"cpu_s", record.cpu_s}};
+  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::optional<RunRecord> FromLine(std::string_view text) {
+  const Json line = Json::parse(text, nullptr, false);
+  if (!line.is_object()) return std::nullopt;
+  try {
+    RunRecord record;
+    ReadSummary(line, record);
+    record.key = {line.at("scenario"), line.at("agent"), line.at("seed")};
+    const auto outcome = OutcomeOf(line.at("outcome").get<std::string>());
+    if (!outcome) return std::nullopt;
+    record.outcome = *outcome;
+    record.command = line.at("command");
+    record.wall_s = line.at("wall_s");
+    record.cpu_s = line.at("cpu_s");
+    return record;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace latchwork::compare

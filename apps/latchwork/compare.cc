@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "apps/compare/report/findings.h"
+#include "apps/compare/runs/run_queue.h"
+#include "apps/compare/statistics/sample_size.h"
+#include "apps/compare/storage/database.h"
+#include "apps/compare/storage/run_log.h"
+#include "apps/latchwork/command.h"
+#include "apps/latchwork/progress.h"
+#include "latchwork/logic/diagnostic.h"
+
+namespace latchwork::app {
+namespace {
+
+using compare::Experiment;
+using compare::PlannedRun;
+using compare::RunKey;
+using compare::RunLog;
+using compare::RunRecord;
+using Records = std::map<RunKey, RunRecord>;
+
+struct CompareOptions {
+  std::filesystem::path experiment;
+  std::filesystem::path out;
+  std::string shard = "1/1";
+  std::vector<std::filesystem::path> merge;
+  unsigned jobs = 1;
+  bool plan = false;
+  bool quiet = false;
+};
+
+std::atomic<bool> interrupted = false;
+void Interrupt(int /*signal*/) { interrupted = true; }
+
+/// "2/4". Throws CLI::ValidationError for what has not that shape.
+compare::Shard ParseShard(const std::string& text) {
+  std::size_t index = 0;
+  std::size_t count = 0;
+  int end = 0;
+  const int found = std::sscanf(text.c_str(), "%zu/%zu%n", &index, &count, &end);
+  if (found != 2 || text[static_cast<std::size_t>(end)] != '\0' || index < 1 || index > count ||
+      count > 10'000) {
+    throw CLI::ValidationError("--shard", "'" + text + "' is not INDEX/COUNT, as in 2/4");
+  }
+  return {index - 1, count};
+}
+
+/// Whether all that is in the log belongs to the experiment; says what does not.
+bool Belongs(const Experiment& experiment, const RunLog& log, const std::filesystem::path& folder) {
+  std::map<RunKey, std::string> commands;
+  for (const PlannedRun& run : PlanRuns(experiment)) {
+    commands[run.key] = fmt::format("latchwork {}", fmt::join(run.arguments, " "));
+  }
+  for (const auto& [key, record] : log.done()) {
+    const auto planned = commands.find(key);
+    if (planned != commands.end() && planned->second == record.command) continue;
+    fmt::print(stderr,
+               "{}: holds a run that is not of this experiment: {}\n  use another folder, or move "
+               "this one away\n",
+               folder.string(), record.command);
+    return false;
+  }
+  return true;
+}
+
+bool TakeOver(const Experiment& experiment, const std::filesystem::path& folder, RunLog& log) {
+  const std::filesystem::path file = folder / "runs.jsonl";
+  if (!std::filesystem::exists(file)) {
+    fmt::print(stderr, "{}: there is no runs.jsonl to take over\n", folder.string());
+    return false;
+  }
+  const RunLog other(file);
+  if (!other.problem().empty()) {
+    fmt::print(stderr, "{}\n", other.problem());
+    return false;
+  }
+  if (!Belongs(experiment, other, folder)) return false;
+  for (const auto& [key, record] : other.done()) {
+    if (!log.done().contains(key) && !log.Add(record)) return false;
+  }
+  return true;
+}
+
+void MakeMissing(const Experiment& experiment, const CompareOptions& options,
+                 const std::filesystem::path& program, RunLog& log) {
+  std::vector<PlannedRun> missing = PlanRuns(experiment, ParseShard(options.shard));
+  const std::size_t all = missing.size();
+  std::erase_if(missing, [&](const PlannedRun& run) { return log.done().contains(run.key); });
+  Progress progress("runs", options.quiet);
+  std::size_t done = all - missing.size();
+  compare::QueueOptions queue;
+  queue.program = program;
+  queue.limits = experiment.limits;
+  queue.jobs = options.jobs;
+  queue.on_done = [&](const RunRecord& record) {
+    progress.Update(++done, all);
+    return log.Add(record);
+  };
+  std::signal(SIGINT, Interrupt);
+  std::signal(SIGTERM, Interrupt);
+  MakeRuns(missing, queue, interrupted);
+}
+
+bool WriteText(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text << std::flush;
+  if (!stream) fmt::print(stderr, "{}: cannot be written\n", file.string());
+  return static_cast<bool>(stream);
+}
+
+bool WriteAll(const std::filesystem::path& out, const Records& records, const std::string& text) {
+  bool good = WriteText(out / "report.txt", text) && WriteText(out / "runs.csv", ToCsv(records));
+  for (const std::string& problem : {WriteResults(out / "results.sqlite", records),
+                                     WriteTimings(out / "timings.sqlite", records)}) {
+    if (!problem.empty()) fmt::print(stderr, "{}: {}\n", out.string(), problem);
+    good = good && problem.empty();
+  }
+  return good;
+}
+
+void ShowPlan(const Experiment& experiment) {
+  const std::size_t seeds = experiment.last_seed - experiment.first_seed + 1;
+  fmt::print("{}: {} scenarios x {} agents x {} seeds = {} runs\n", experiment.name,
+             experiment.scenarios.size(), experiment.contenders.size(), seeds,
+             PlanRuns(experiment).size());
+  const std::size_t tests = 2 * experiment.scenarios.size() * (experiment.contenders.size() - 1);
+  const compare::Demand demand{experiment.level / static_cast<double>(tests), 0.8};
+  fmt::print("{} tests share the level {}; with a power of 80 % the strictest of them needs\n",
+             tests, experiment.level);
+  for (const double lost : {0.1, 0.2, 0.4}) {
+    fmt::print("  {:>5} seeds to find an agent that loses {:.0f} of 100 runs that the other wins\n",
+               compare::PairsForSuccess(lost, 0, demand), 100 * lost);
+  }
+  for (const double shift : {0.3, 0.5, 1.0}) {
+    fmt::print(
+        "  {:>5} seeds to find times that differ by {} standard deviations of the "
+        "difference\n",
+        compare::PairsForTime(shift, demand), shift);
+  }
+}
+
+int RunExperiment(const Experiment& experiment, const CompareOptions& options,
+                  const std::filesystem::path& program) {
+  std::error_code error;
+  std::filesystem::create_directories(options.out, error);
+  RunLog log(options.out / "runs.jsonl");
+  if (!log.problem().empty()) {
+    fmt::print(stderr, "{}\n", log.problem());
+    return kInvalidInput;
+  }
+  if (!Belongs(experiment, log, options.out)) return kInvalidInput;
+  for (const std::filesystem::path& folder : options.merge) {
+    if (!TakeOver(experiment, folder, log)) return kInvalidInput;
+  }
+  MakeMissing(experiment, options, program, log);
+  const std::string text = ToText(experiment, Evaluate(experiment, log.done()));
+  if (!WriteAll(options.out, log.done(), text)) return kInternalError;
+  fmt::print("{}", text);
+  if (!interrupted) return kDone;
+  fmt::print(stderr, "stopped; the same command goes on from here\n");
+  return kGoalNotReached;
+}
+
+int Compare(const CompareOptions& options, const std::filesystem::path& program) {
+  const compare::ExperimentFile file = compare::ReadExperiment(options.experiment);
+  if (!file.experiment) {
+    fmt::print(stderr, "{}", logic::Format(file.diagnostics));
+    return kInvalidInput;
+  }
+  if (options.plan) {
+    ShowPlan(*file.experiment);
+    return kDone;
+  }
+  return RunExperiment(*file.experiment, options, program);
+}
+
+constexpr const char* kFooter =
+    "An experiment names scenarios (agent files) and agents (changes of them); every agent runs\n"
+    "in every scenario with every seed, each run in a process of its own:\n"
+    "  <experiment format=\"1\" name=\"office\" seeds=\"1-30\" wall=\"300s\" memory=\"4096MB\">\n"
+    "    <scenario name=\"floor\" file=\"../office/scenario1.xml\"/>\n"
+    "    <agent name=\"pttp\"/>\n"
+    "    <agent name=\"icarus\" fragment=\"../office/icarus.xml\"/>\n"
+    "  </experiment>\n"
+    "The first agent is compared with each of the others. The folder gets runs.jsonl (all that "
+    "was\n"
+    "done; the same command goes on from there), results.sqlite (the same bytes whenever and\n"
+    "wherever the runs are made), timings.sqlite, runs.csv and report.txt.\n\n"
+    "Examples:\n"
+    "  latchwork compare examples/compare/smoke.xml --out out/smoke -j 2\n"
+    "  latchwork compare examples/compare/smoke.xml --plan\n"
+    "  latchwork compare office.xml --shard 2/4 --out out/second      (on another machine)\n"
+    "  latchwork compare office.xml --merge out/first --merge out/second --out out/all\n";
+
+}  // namespace
+
+void AddCompare(CLI::App& app, Context& context) {
+  auto* command = app.add_subcommand("compare", "Compare agents over scenarios and seeds");
+  auto options = std::make_shared<CompareOptions>();
+  command->add_option("EXPERIMENT", options->experiment, "Experiment file (XML)")->required();
+  command->add_option("--out", options->out, "Folder for the results (default out/EXPERIMENT)");
+  command->add_option("-j,--jobs", options->jobs, "Runs at a time")->check(CLI::Range(1, 256));
+  command->add_option("--shard", options->shard, "INDEX/COUNT: make only this part of the runs");
+  command
+      ->add_option("--merge", options->merge,
+                   "Take over the runs that are done in this folder; may be repeated")
+      ->allow_extra_args(false);
+  command->add_flag("--plan", options->plan, "Say how many runs, and how many seeds are needed");
+  command->add_flag("-q,--quiet", options->quiet, "No progress");
+  command->footer(kFooter);
+  command->callback([options, &context] {
+    ParseShard(options->shard);
+    if (options->out.empty()) {
+      options->out = std::filesystem::path("out") / options->experiment.stem();
+    }
+    context.exit_code = Compare(*options, context.executable);
+  });
+}
+
+}  // namespace latchwork::app

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// `latchwork compare` as it is used: whole experiments, their shards, what interrupts them, and
+// what is wrong with their files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/integration/run_command.h"
+#include "tests/temporary_folder.h"
+
+namespace latchwork::testing {
+namespace {
+
+using test::TemporaryFolder;
+using ::testing::HasSubstr;
+
+class CompareCommandTest : public ::testing::Test {
+ protected:
+  /// The tower of Hanoi, as it is, once more, and with a hand that slips.
+  static std::string Experiment(const std::string& attributes) {
+    return "<experiment format=\"1\" name=\"towers\" " + attributes +
+           ">\n"
+           "  <scenario name=\"tower\" file=\"" LATCHWORK_SOURCE_DIR
+           "/examples/icarus/hanoi.xml\"/>\n"
+           "  <agent name=\"steady\"/>\n"
+           "  <agent name=\"same\"/>\n"
+           "  <agent name=\"slipping\"><set name=\"world.slip\" value=\"0.8\"/></agent>\n"
+           "</experiment>\n";
+  }
+  CommandResult Compare(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"compare", "towers.xml", "--quiet"});
+    return RunLatchwork(arguments, scratch_.path());
+  }
+  std::string Bytes(const std::string& folder) const {
+    return ReadText(scratch_.path() / folder / "results.sqlite");
+  }
+  std::size_t CountLines(const std::string& file) const {
+    const std::string text = ReadText(scratch_.path() / file);
+    return static_cast<std::size_t>(std::ranges::count(text, '\n'));
+  }
+
+  TemporaryFolder scratch_;
+};
+
+TEST_F(CompareCommandTest, SameAgentTwiceAndAHandicap_NothingAndTheHandicapAreFound) {
+  WriteText(scratch_.path() / "towers.xml", Experiment("seeds=\"1-12\""));
+  const CommandResult result = Compare({"--out", "all", "-j", "2"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("steady against same: goals reached: no difference shown (12 "
+                                    "and 12 of 12; p = 1); time: no difference shown"));
+  EXPECT_THAT(result.out, HasSubstr("time: steady is faster"));
+  EXPECT_EQ(CountLines("all/runs.csv"), 1U + 36U);
+  EXPECT_EQ(ReadText(scratch_.path() / "all/report.txt"), result.out);
+}
+
+TEST_F(CompareCommandTest, Shards_GiveTheSameBytesWhateverTheirNumber) {
+  WriteText(scratch_.path() / "towers.xml", Experiment("seeds=\"1-4\""));
+  ASSERT_EQ(Compare({"--out", "all"}).exit_code, 0);
+  for (const std::size_t count : {2U, 4U}) {
+    std::vector<std::string> merge = {"--out", "merged" + std::to_string(count)};
+    for (std::size_t index = count; index >= 1; --index) {
+      const std::string shard = std::to_string(index) + "/" + std::to_string(count);
+      const std::string out = "part" + std::to_string(count) + std::to_string(index);
+      ASSERT_EQ(Compare({"--shard", shard, "--out", out}).exit_code, 0);
+      EXPECT_EQ(CountLines(out + "/runs.jsonl"), 12 / count);
+      merge.insert(merge.end(), {"--merge", out, "--merge", out});
+    }
+    ASSERT_EQ(Compare(merge).exit_code, 0);
+    EXPECT_EQ(Bytes("merged" + std::to_string(count)), Bytes("all"));
+  }
+}
+
+TEST_F(CompareCommandTest, TornLog_GoesOnWhereItWasCut) {
+  WriteText(scratch_.path() / "towers.xml", Experiment("seeds=\"1-3\""));
+  ASSERT_EQ(Compare({"--out", "all"}).exit_code, 0);
+  const std::string whole = Bytes("all");
+  const std::string log = ReadText(scratch_.path() / "all/runs.jsonl");
+  WriteText(scratch_.path() / "all/runs.jsonl", log.substr(0, log.size() / 2));
+  ASSERT_EQ(Compare({"--out", "all"}).exit_code, 0);
+  EXPECT_EQ(Bytes("all"), whole);
+  EXPECT_EQ(CountLines("all/runs.jsonl"), 9U);
+}
+
+TEST_F(CompareCommandTest, Interrupted_KeepsWhatIsDoneAndGoesOn) {
+  WriteText(scratch_.path() / "towers.xml", Experiment("seeds=\"1-40\""));
+  const CommandResult cut = RunShell(
+      "latchwork compare towers.xml --quiet --out all & pid=$!\n"
+      "until [ -s all/runs.jsonl ]; do :; done\n"
+      "kill -INT $pid; wait $pid",
+      scratch_.path());
+  EXPECT_EQ(cut.exit_code, 1);
+  EXPECT_THAT(cut.err, HasSubstr("the same command goes on from here"));
+  const std::size_t done = CountLines("all/runs.jsonl");
+  EXPECT_GE(done, 1U);
+  ASSERT_LT(done, 120U);
+  ASSERT_EQ(Compare({"--out", "all"}).exit_code, 0);
+  ASSERT_EQ(Compare({"--out", "once", "-j", "2"}).exit_code, 0);
+  EXPECT_EQ(Bytes("all"), Bytes("once"));
+}
+
+TEST_F(CompareCommandTest, RunsThatCannotEndOrBegin_AreCounted) {
+  WriteText(scratch_.path() / "towers.xml",
+            "<experiment format=\"1\" name=\"limits\" seeds=\"1-1\" memory=\"8MB\">\n"
+            "  <scenario name=\"tower\" file=\"" LATCHWORK_SOURCE_DIR
+            "/examples/icarus/hanoi.xml\"/>\n"
+            "  <agent name=\"a\"/><agent name=\"b\"/>\n"
+            "</experiment>\n");
+  const CommandResult result = Compare({"--out", "all"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, HasSubstr("2 runs did not reach their goal"));
+  EXPECT_EQ(CountLines("all/runs.jsonl"), 2U);
+}
+
+TEST_F(CompareCommandTest, FolderOfAnotherExperiment_IsLeftAlone) {
+  WriteText(scratch_.path() / "towers.xml", Experiment("seeds=\"1-2\""));
+  ASSERT_EQ(Compare({"--out", "all"}).exit_code, 0);
+  const std::string before = Bytes("all");
+  WriteText(scratch_.path() / "towers.xml", Experiment("seeds=\"2-3\""));
+  const CommandResult result = Compare({"--out", "all"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("holds a run that is not of this experiment"));
+  EXPECT_EQ(Bytes("all"), before);
+}
+
+TEST_F(CompareCommandTest, WrongFile_SaysEverythingAtOnceWithItsPlace) {
+  WriteText(scratch_.path() / "towers.xml",
+            "<experiment format=\"1\" name=\"towers\" seeds=\"9-3\">\n"
+            "  <scenario name=\"a\" file=\"no.xml\"/>\n"
+            "  <scenario name=\"a\" file=\"towers.xml\"/>\n"
+            "  <agent name=\"x\" fragment=\"none.xml\"/>\n"
+            "</experiment>\n");
+  const CommandResult result = Compare({});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("towers.xml:1:45: "));
+  EXPECT_THAT(result.err, HasSubstr("the last seed comes before the first"));
+  EXPECT_THAT(result.err, HasSubstr("towers.xml:2:28: "));
+  EXPECT_THAT(result.err, HasSubstr("towers.xml:3:19: "));
+  EXPECT_THAT(result.err, HasSubstr("towers.xml:4:29: "));
+  EXPECT_THAT(result.err, HasSubstr("a comparison needs two <agent> or more"));
+}
+
+TEST_F(CompareCommandTest, WrongShard_IsWrongUsage) {
+  WriteText(scratch_.path() / "towers.xml", Experiment("seeds=\"1-2\""));
+  for (const char* shard : {"3/2", "0/2", "1", "1/2x", "a/b"}) {
+    EXPECT_EQ(Compare({"--shard", shard}).exit_code, 2) << shard;
+  }
+}
+
+TEST_F(CompareCommandTest, Plan_SaysHowManyRunsAndSeeds) {
+  WriteText(scratch_.path() / "towers.xml", Experiment("seeds=\"1-30\""));
+  const CommandResult result = Compare({"--plan"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, HasSubstr("1 scenarios x 3 agents x 30 seeds = 90 runs"));
+  EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "out"));
+}
+
+}  // namespace
+}  // namespace latchwork::testing
