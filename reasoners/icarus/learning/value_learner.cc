@@ -15,6 +15,13 @@ namespace {
 
 constexpr double kLargest = 1e15;  // beyond this not every whole number is a double
 
+/// Numbers the random choices, so that they stay what they are for a seed.
+std::uint64_t NumberOf(const Value& feature) {
+  if (feature.kind == ValueKind::kList) return Hash(feature);
+  return MixHash(static_cast<std::uint64_t>(feature.kind),
+                 feature.is_number() ? feature.bits() : feature.name);
+}
+
 std::string NumberText(double number) {
   std::array<char, 40> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
@@ -41,7 +48,7 @@ Value ValueLearner::Feature(const Value& argument) {
 std::uint64_t ValueLearner::HashOf(std::uint32_t skill, std::span<const Value> arguments) {
   std::uint64_t hash = skill + 1;
   for (const Value& argument : arguments) {
-    hash = (hash ^ Hash(Feature(argument))) * 0x9e3779b97f4a7c15ULL;
+    hash = (hash ^ NumberOf(Feature(argument))) * 0x9e3779b97f4a7c15ULL;
     hash ^= hash >> 31U;
   }
   return hash;

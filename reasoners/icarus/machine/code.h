@@ -72,8 +72,15 @@ enum class Builtin : std::uint8_t {
 };
 
 struct CallCode {
-  bool builtin = false;
-  std::uint32_t function = 0;  ///< Builtin, or index of the host's function, or, in acts, a name.
+  enum class Kind : std::uint8_t {
+    kBuiltin,
+    kChange,  ///< {forget} and {update}, whose patterns are not evaluated.
+    kHost,
+    kEffect,  ///< Of the host, and asked each time that it is met.
+  };
+  Kind kind = Kind::kHost;
+  bool fixed = false;          ///< Always has the same arguments.
+  std::uint32_t function = 0;  ///< Builtin, or index of the host's function.
   NameId name = kNoName;
   std::uint32_t first = 0;  ///< Arguments, in CompiledProgram::terms.
   std::uint32_t count = 0;

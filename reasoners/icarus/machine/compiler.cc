@@ -272,6 +272,7 @@ class Compiler {
     made.form = term.form;
     made.name = names_.Intern(term.text);
     made.count = static_cast<std::uint32_t>(term.items.size());
+    made.fixed = std::all_of(term.items.begin(), term.items.end(), IsGround);
     made.first = AddTerms(term.items);
     if (act) {
       CheckAct(term);
@@ -283,13 +284,16 @@ class Compiler {
 
   void Resolve(const Term& term, CallCode& made) {
     if (const Signature* const builtin = FindBuiltin(term.text)) {
-      made.builtin = true;
       made.function = static_cast<std::uint32_t>(builtin - BuiltinSignatures().data());
+      const auto which = static_cast<Builtin>(made.function);
+      const bool changes = which == Builtin::kForget || which == Builtin::kUpdate;
+      made.kind = changes ? CallCode::Kind::kChange : CallCode::Kind::kBuiltin;
       return;
     }
     const auto functions = host_.functions();
     if (const Signature* const found = FindSignature(functions, term.text, term.items.size())) {
       made.function = static_cast<std::uint32_t>(found - functions.data());
+      made.kind = found->changes_memory ? CallCode::Kind::kEffect : CallCode::Kind::kHost;
       Check(term, *found);
     } else {
       UnknownFunction(term, functions);

@@ -14,16 +14,68 @@ Machine::Machine(const CompiledProgram& code, const Program& program, Host& host
       options_(options),
       names_(names),
       memory_(memory),
-      true_(Value::Symbol(names.Intern("t"))) {
-  for (const Signature& function : host.functions()) {
-    changes_memory_.push_back(function.changes_memory);
+      true_(Value::Symbol(names.Intern("t"))) {}
+
+/// False: this way has come to its end.
+inline bool Machine::Step(const Instruction& instruction) {
+  switch (instruction.op) {
+    case Op::kCall:
+      return Call(instruction);
+    case Op::kTest:
+      if (!Spend(instruction.form)) return false;
+      clause_form_ = instruction.form;
+      ++pc_;
+      return !CallFunction(instruction.a, base_).is_none();
+    case Op::kBind:
+      return Bind(instruction);
+    case Op::kTakeApart:
+      return TakeApart(instruction);
+    case Op::kMatch:
+      return Match(instruction);
+    case Op::kNot:
+      return Negate(instruction);
+    case Op::kNotEnd:
+      scopes_[scope_].truth = true;
+      return false;
+    case Op::kObjective:
+      PushChoice(ChoiceKind::kObjective, instruction.a);
+      scopes_[scope_].in_objective = true;
+      ++pc_;
+      return true;
+    case Op::kMeans:
+      return Means(instruction);
+    case Op::kSequence:
+      return Sequence();
+    case Op::kStepEnd:
+      return StepEnd();
+    case Op::kAct:
+      return MakeAct(instruction);
+    case Op::kExit:
+      return Exit();
+    case Op::kTopEnd:
+      return TopEnd();
+    case Op::kFail:
+      return false;
+  }
+  return false;
+}
+
+template <bool kTraced>
+void Machine::Loop() {
+  while (!stopped_) {
+    const Instruction& instruction = code_.instructions[pc_];
+    const Index scope = scope_;
+    const std::size_t mark = trail_.size();
+    const bool going = Step(instruction);
+    if (kTraced) TraceStep(instruction, going, scope, mark);
+    if (!going && (stopped_ || !Backtrack<kTraced>())) return;
   }
 }
 
 void Machine::Run(Address entry, std::uint32_t variables, std::uint64_t cycle,
                   const CycleLimits& limits) {
   arena_.Reset();
-  cache_.Clear();
+  cache_.Begin();
   acts_.clear();
   environment_values_.clear();
   environments_ = 0;
@@ -34,10 +86,11 @@ void Machine::Run(Address entry, std::uint32_t variables, std::uint64_t cycle,
   limits_ = limits;
   limit_ = LimitHit::kNone;
   stopped_ = false;
-  trail_.clear();
-  choices_.clear();
-  scratch_.clear();
-  scopes_.assign(1, Scope());
+  trail_.Shrink(0);
+  choices_.Shrink(0);
+  scratch_.Shrink(0);
+  scopes_.Shrink(0);
+  scopes_.Push() = Scope();
   frames_top_ = 0;
   base_ = PushFrame(variables);
   scope_ = 0;
@@ -53,15 +106,6 @@ void Machine::Run(Address entry, std::uint32_t variables, std::uint64_t cycle,
   }
   if (is_aborted()) DiscardOutcome();
   if (traced()) TraceEnd();
-}
-
-template <bool kTraced>
-void Machine::Loop() {
-  while (!stopped_) {
-    const Instruction& instruction = code_.instructions[pc_];
-    if (kTraced ? StepTraced(instruction) : Step(instruction)) continue;
-    if (stopped_ || !Backtrack<kTraced>()) return;
-  }
 }
 
 void Machine::DiscardOutcome() {
@@ -111,52 +155,8 @@ void Machine::Stop(LimitHit limit, FormId form, std::string_view message) {
   Fail(form, message);
 }
 
-/// False: this way has come to its end.
-bool Machine::Step(const Instruction& instruction) {
-  switch (instruction.op) {
-    case Op::kCall:
-      return Call(instruction);
-    case Op::kTest:
-      if (!Spend(instruction.form)) return false;
-      clause_form_ = instruction.form;
-      ++pc_;
-      return !CallFunction(instruction.a, base_).is_none();
-    case Op::kBind:
-      return Bind(instruction);
-    case Op::kTakeApart:
-      return TakeApart(instruction);
-    case Op::kMatch:
-      return Match(instruction);
-    case Op::kNot:
-      return Negate(instruction);
-    case Op::kNotEnd:
-      scopes_[scope_].truth = true;
-      return false;
-    case Op::kObjective:
-      PushChoice(ChoiceKind::kObjective, instruction.a);
-      scopes_[scope_].in_objective = true;
-      ++pc_;
-      return true;
-    case Op::kMeans:
-      return Means(instruction);
-    case Op::kSequence:
-      return Sequence();
-    case Op::kStepEnd:
-      return StepEnd();
-    case Op::kAct:
-      return MakeAct(instruction);
-    case Op::kExit:
-      return Exit();
-    case Op::kTopEnd:
-      return TopEnd();
-    case Op::kFail:
-      return false;
-  }
-  return false;
-}
-
 Machine::Choice& Machine::PushChoice(ChoiceKind kind, Address pc) {
-  Choice choice;
+  Choice& choice = choices_.Push();
   choice.kind = kind;
   choice.pc = pc;
   choice.scope = scope_;
@@ -164,38 +164,35 @@ Machine::Choice& Machine::PushChoice(ChoiceKind kind, Address pc) {
   choice.trail = static_cast<Index>(trail_.size());
   choice.values = frames_top_;
   choice.scopes = static_cast<Index>(scopes_.size());
-  choices_.push_back(choice);
-  return choices_.back();
+  return choice;
 }
 
 Machine::Scope& Machine::PushScope(ScopeKind kind) {
-  Scope scope;
+  Scope& scope = *::new (&scopes_.Push()) Scope;
+  const Scope& parent = scopes_[scope_];
   scope.kind = kind;
   scope.parent = scope_;
-  scope.depth = scopes_[scope_].depth;
-  scope.event = scopes_[scope_].event;
-  scopes_.push_back(scope);
-  return scopes_.back();
+  scope.depth = parent.depth;
+  scope.event = parent.event;
+  return scope;
 }
 
+/// Makes room for so many variables, all unbound.
 Machine::Index Machine::PushFrame(std::uint32_t variables) {
   const Index base = frames_top_;
   frames_top_ += variables;
   if (frames_top_ > frames_.size()) frames_.resize(std::max<std::size_t>(2 * frames_top_, 1024));
-  std::fill(frames_.begin() + base, frames_.begin() + frames_top_, Value());
+  for (Index at = base; at < frames_top_; ++at) frames_[at] = Value();
   return base;
 }
 
 template <bool kTraced>
 bool Machine::Backtrack() {
   while (!choices_.empty() && !stopped_) {
-    const Choice choice = choices_.back();
-    while (trail_.size() > choice.trail) {
-      frames_[trail_.back()] = Value();
-      trail_.pop_back();
-    }
+    const Choice& choice = choices_.back();
+    UndoBindings(choice.trail);
     frames_top_ = choice.values;
-    scopes_.resize(choice.scopes);
+    scopes_.Shrink(choice.scopes);
     scope_ = choice.scope;
     base_ = choice.base;
     if (kTraced ? ResumeTraced(choice) : Resume(choice)) return true;
@@ -204,9 +201,10 @@ bool Machine::Backtrack() {
 }
 
 /// Tries what is left of the last choice; false when that led to nothing, and the choice is gone.
-bool Machine::Resume(Choice choice) {
-  if (choice.kind == ChoiceKind::kMeans) return TakeBranch(choices_.back());
-  choices_.pop_back();
+bool Machine::Resume(const Choice& last) {
+  if (last.kind == ChoiceKind::kMeans) return TakeBranch(choices_.back());
+  const Choice choice = last;
+  choices_.Pop();
   switch (choice.kind) {
     case ChoiceKind::kMatch:
       pc_ = choice.pc;
@@ -239,33 +237,29 @@ bool Machine::Call(const Instruction& instruction) {
   depth_ = std::max(depth_, depth);
   const SkillCode& skill = code_.skills[instruction.a];
   const Index caller = base_;
-  PushScope(ScopeKind::kSkill);
-  const auto index = static_cast<Index>(scopes_.size() - 1);
-  if (call_ends_ && (skill.type != SkillType::kSensor || traced())) {
-    PushChoice(ChoiceKind::kCallEnd, pc_);
-  }
-  const Index base = PushFrame(skill.variables);
-  bool outputs = false;
-  for (std::uint32_t i = 0; i < instruction.c; ++i) {
-    const TermCode& term = code_.terms[instruction.b + i];
-    const Value value = Evaluate(term, caller);
-    outputs |= value.is_none() && term.kind != TermCode::Kind::kAnything;
-    frames_[base + i] = value;
-  }
-  Scope& scope = scopes_[index];
-  scope.outputs = outputs;
+  Scope& scope = PushScope(ScopeKind::kSkill);
   scope.caller_base = caller;
   scope.call = pc_;
   scope.skill = instruction.a;
   scope.depth = depth;
-  scope_ = index;
+  if (call_ends_ && (skill.type != SkillType::kSensor || traced())) {
+    PushChoice(ChoiceKind::kCallEnd, pc_);
+  }
+  const Index base = PushFrame(skill.variables);
+  for (std::uint32_t i = 0; i < instruction.c; ++i) {
+    const TermCode& term = code_.terms[instruction.b + i];
+    const Value value = Evaluate(term, caller);
+    if (value.is_none() && term.kind != TermCode::Kind::kAnything) scope.outputs = true;
+    frames_[base + i] = value;
+  }
+  scope_ = static_cast<Index>(scopes_.size() - 1);
   base_ = base;
   pc_ = skill.entry;
   if (traced()) TraceCall(instruction, caller);
   if (options_.acts == ActMode::kValue && (skill.has_value || learned_ != nullptr)) {
     const Value value = ValueOfSkill(instruction.a, base);
-    scopes_[index].has_value = value.is_number();
-    scopes_[index].value = value.is_number() ? value.number() : 0;
+    scope.has_value = value.is_number();
+    scope.value = value.is_number() ? value.number() : 0;
   }
   return true;
 }
@@ -296,7 +290,7 @@ bool Machine::Exit() {
 bool Machine::IsRepeated(Scope& scope, const Instruction& call) {
   const std::size_t mark = scratch_.size();
   for (std::uint32_t i = 0; i < call.c; ++i) CollectVariables(code_.terms[call.b + i], base_);
-  const std::span<const Value> values(scratch_.data() + mark, scratch_.size() - mark);
+  const std::span<const Value> values = Arguments(mark);
   std::uint64_t hash = values.size();
   for (const Value& value : values) hash = hash * 31 + Hash(value);
   bool repeated = false;
@@ -305,16 +299,15 @@ bool Machine::IsRepeated(Scope& scope, const Instruction& call) {
                                                 seen->values.end(), Equal);
   }
   if (!repeated) {
-    const std::span<Value> copy = arena_.MakeValues(values.size());
-    std::copy(values.begin(), values.end(), copy.begin());
+    const std::span<const Value> copy = arena_.CopyValues(values);
     scope.seen = ::new (arena_.Allocate(sizeof(Seen))) Seen{hash, copy, scope.seen};
   }
-  scratch_.resize(mark);
+  scratch_.Shrink(mark);
   return repeated;
 }
 
 void Machine::CollectVariables(const TermCode& term, Index base) {
-  if (term.kind == TermCode::Kind::kVariable) scratch_.push_back(frames_[base + term.a]);
+  if (term.kind == TermCode::Kind::kVariable) scratch_.Push(frames_[base + term.a]);
   if (term.kind != TermCode::Kind::kList) return;
   for (std::uint32_t i = 0; i < term.b; ++i) CollectVariables(code_.terms[term.a + i], base);
 }
@@ -360,7 +353,7 @@ bool Machine::Match(const Instruction& instruction) {
 bool Machine::MatchFrom(const Instruction& instruction, const FactStore::Fact* fact,
                         FactStore::Version version) {
   const FactStore::Chain chain = ChainOf(instruction);
-  const auto mark = static_cast<Index>(trail_.size());
+  const std::size_t mark = trail_.size();
   while (fact != nullptr) {
     const FactStore::Fact* const next = FactStore::Next(fact, chain);
     const std::span<const Value> items = fact->value.list->items();
@@ -371,7 +364,7 @@ bool Machine::MatchFrom(const Instruction& instruction, const FactStore::Fact* f
     if (matches) {
       if (next != nullptr) {
         Choice& choice = PushChoice(ChoiceKind::kMatch, pc_);
-        choice.trail = mark;
+        choice.trail = static_cast<Index>(mark);
         choice.fact = next;
         choice.version = version;
       }
@@ -379,10 +372,7 @@ bool Machine::MatchFrom(const Instruction& instruction, const FactStore::Fact* f
       matched_ = fact;
       return true;
     }
-    while (trail_.size() > mark) {
-      frames_[trail_.back()] = Value();
-      trail_.pop_back();
-    }
+    UndoBindings(mark);
     fact = next;
   }
   return false;
@@ -410,7 +400,7 @@ bool Machine::Means(const Instruction& instruction) {
 bool Machine::TakeBranch(Choice& choice) {
   const std::uint32_t branch = choice.order == nullptr ? choice.next : choice.order[choice.next];
   pc_ = code_.branches[branch].address;
-  if (++choice.next == choice.end) choices_.pop_back();
+  if (++choice.next == choice.end) choices_.Pop();
   return true;
 }
 

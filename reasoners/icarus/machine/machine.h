@@ -17,6 +17,7 @@
 #include "reasoners/icarus/machine/interpreter.h"
 #include "reasoners/icarus/machine/sensor_cache.h"
 #include "reasoners/icarus/machine/sequence_states.h"
+#include "reasoners/icarus/machine/stack.h"
 #include "reasoners/icarus/machine/value.h"
 #include "reasoners/icarus/machine/value_source.h"
 
@@ -74,6 +75,7 @@ class Machine {
     std::span<const Value> values;
     Seen* next;
   };
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): what not all kinds have
   struct Scope {
     ScopeKind kind = ScopeKind::kTop;
     bool outputs = false;       ///< The call may bind variables of the caller.
@@ -87,14 +89,14 @@ class Machine {
     Address call = 0;
     std::uint32_t skill = kNoSkill;
     std::uint32_t depth = 0;
-    std::uint32_t state = 0;  ///< kSkill of a sequence.
-    std::uint32_t event = 0;  ///< Number of the event of the skill's call, when traced.
-    double value = 0;
+    std::uint32_t event = 0;        ///< Number of the event of the skill's call, when traced.
     FoundAct* first_act = nullptr;  ///< kStep: found so far. kSkill: the best.
-    FoundAct* last_act = nullptr;
     Seen* seen = nullptr;
-    const PathSkill* path = nullptr;     ///< kSkill: its callers, once an act was found.
-    std::span<const Value> environment;  ///< kStep: of its first True.
+    const PathSkill* path = nullptr;  ///< kSkill: its callers, once an act was found.
+    double value;                     ///< has_value.
+    std::uint32_t state;              ///< kSkill of a sequence.
+    FoundAct* last_act;               ///< kStep, with a first act.
+    Value* environment;               ///< kStep that is True: of its first True.
   };
   enum class ChoiceKind : std::uint8_t { kMatch, kMeans, kObjective, kNotEnd, kStepEnd, kCallEnd };
   struct Choice {
@@ -121,7 +123,7 @@ class Machine {
   void Loop();
   template <bool kTraced>
   bool Backtrack();
-  bool Resume(Choice choice);
+  bool Resume(const Choice& last);
   Choice& PushChoice(ChoiceKind kind, Address pc);
   Scope& PushScope(ScopeKind kind);
   Index PushFrame(std::uint32_t variables);
@@ -149,7 +151,7 @@ class Machine {
   // machine_acts.cc
   bool MakeAct(const Instruction& instruction);
   const PathSkill* CallersOf(Index index);
-  const PathSkill* MakePath(Index index, Index base, const PathSkill* callers);
+  PathSkill* MakePath(Index index, Index base);
   Index SkillAbove(Index index) const;
   void Emit(Index index, FoundAct* act);
   bool PassSkill(Index index, FoundAct* act);
@@ -160,16 +162,28 @@ class Machine {
   double ValueOfBranch(const Branch& branch);
 
   // machine_terms.cc
-  Value Evaluate(const TermCode& term, Index base);
+  /// The value; none when a variable of it is unbound, or a call of it False.
+  Value Evaluate(const TermCode& term, Index base) {
+    if (term.kind == TermCode::Kind::kValue) return term.value;
+    if (term.kind == TermCode::Kind::kVariable) return frames_[base + term.a];
+    return EvaluateOther(term, base);
+  }
+  Value EvaluateOther(const TermCode& term, Index base);
   Value EvaluateList(const TermCode& term, Index base);
   bool Unify(const TermCode& term, const Value& value, Index base);
   bool Bind(const Instruction& instruction);
   bool TakeApart(const Instruction& instruction);
   void SetVariable(Index at, const Value& value);
+  void UndoBindings(std::size_t mark);
   Value CallFunction(std::uint32_t index, Index base);
   bool PushArguments(const CallCode& call, Index base);
+  std::span<const Value> Arguments(std::size_t mark) const {
+    return {scratch_.data() + mark, scratch_.size() - mark};
+  }
   Value AskHost(const CallCode& call, std::span<const Value> arguments);
-  Value CallHost(const CallCode& call, std::span<const Value> arguments);
+  Value CallHost(std::uint32_t index, Index base);
+  SensorCache::Call* Recall(std::uint32_t index, Index base);
+  void FailHost(const CallCode& call, std::span<const Value> arguments, const char* error);
   Value CallBuiltin(const CallCode& call, std::span<const Value> arguments);
   Value Compare(Builtin builtin, const Value& a, const Value& b);
   Value Compute(Builtin builtin, std::span<const Value> arguments);
@@ -181,8 +195,8 @@ class Machine {
 
   // machine_trace.cc
   bool traced() const { return sink_ != nullptr; }
-  bool StepTraced(const Instruction& instruction);
-  bool ResumeTraced(const Choice& choice);
+  void TraceStep(const Instruction& instruction, bool going, Index scope, std::size_t mark);
+  bool ResumeTraced(const Choice& last);
   Event MakeEvent(EventKind kind) const;
   void Tell(Event& event);
   void TellClause(EventKind kind, const Instruction& instruction, bool truth, std::size_t mark,
@@ -192,7 +206,7 @@ class Machine {
   void TraceExit(Index callee, bool passed, std::size_t mark);
   void TraceEnded(ChoiceKind kind, const Scope& ended);
   void TraceMeans(const Instruction& instruction);
-  void TraceStep(std::uint32_t step);
+  void TraceSequence(std::uint32_t step);
   void TraceAct(EventKind kind, Index scope, const FoundAct& act);
   void TraceHost(EventKind kind, const CallCode& call, std::span<const Value> arguments,
                  const Value& answer, std::string_view error = {});
@@ -208,17 +222,15 @@ class Machine {
   FactStore& memory_;
   SequenceStates sequences_;
   SensorCache cache_;
-  std::vector<bool> changes_memory_;  ///< Of the functions of the host.
   Arena arena_;
   Value true_;
 
   std::vector<Value> frames_;
   Index frames_top_ = 0;
-  std::vector<Index> trail_;
-  std::vector<Scope> scopes_;
-  std::vector<Choice> choices_;
-  std::vector<Value> scratch_;
-  std::vector<Index> callers_;
+  Stack<Index> trail_;
+  Stack<Scope> scopes_;
+  Stack<Choice> choices_;
+  Stack<Value> scratch_;
   Address pc_ = 0;
   Index base_ = 0;
   Index scope_ = 0;

@@ -19,13 +19,12 @@ bool Machine::MakeAct(const Instruction& instruction) {
     const CallCode& call = code_.calls[instruction.a + i];
     const std::size_t mark = scratch_.size();
     if (!PushArguments(call, base_)) return false;
-    const std::span<Value> arguments = arena_.MakeValues(call.count);
-    std::copy(scratch_.begin() + static_cast<std::ptrdiff_t>(mark), scratch_.end(),
-              arguments.begin());
-    scratch_.resize(mark);
+    const std::span<const Value> arguments = arena_.CopyValues(Arguments(mark));
+    scratch_.Shrink(mark);
     ::new (calls + i) ActCall{call.name, arguments};
   }
-  const PathSkill* const path = MakePath(scope_, base_, CallersOf(scope_));
+  PathSkill* const path = MakePath(scope_, base_);
+  path->caller = CallersOf(scope_);
   auto* const found = ::new (arena_.Allocate(sizeof(FoundAct))) FoundAct;
   found->act = {path->skill, path->arguments, {calls, instruction.b}, path};
   found->value = kNoValue;
@@ -35,27 +34,35 @@ bool Machine::MakeAct(const Instruction& instruction) {
 }
 
 /// The skill of this scope, whose variables are at `base`.
-const PathSkill* Machine::MakePath(Index index, Index base, const PathSkill* callers) {
+PathSkill* Machine::MakePath(Index index, Index base) {
   const Scope& scope = scopes_[index];
   const SkillCode& skill = code_.skills[scope.skill];
-  const std::span<Value> variables = arena_.MakeValues(skill.variables);
-  std::copy_n(frames_.begin() + base, variables.size(), variables.begin());
+  std::span<const Value> variables;
+  if (skill.variables != 0) {
+    variables = arena_.CopyValues({frames_.data() + base, skill.variables});
+  }
   const FormId form = code_.instructions[scope.call].form;
   return ::new (arena_.Allocate(sizeof(PathSkill)))
-      PathSkill{scope.skill, form, variables.first(skill.parameters), variables, callers};
+      PathSkill{scope.skill, form, variables.first(skill.parameters), variables, nullptr};
 }
 
 /// The callers of a skill, the nearest first. Their variables do not change while it is asked, so
 /// that all acts found in it share them.
 const PathSkill* Machine::CallersOf(Index index) {
-  callers_.clear();
-  for (Index at = index; at != 0 && scopes_[at].path == nullptr; at = SkillAbove(at)) {
-    callers_.push_back(at);
-  }
-  for (; !callers_.empty(); callers_.pop_back()) {
-    Scope& scope = scopes_[callers_.back()];
-    const Index caller = SkillAbove(callers_.back());
-    if (caller != 0) scope.path = MakePath(caller, scope.caller_base, scopes_[caller].path);
+  PathSkill* called = nullptr;
+  for (Index at = index; at != 0;) {
+    Scope& scope = scopes_[at];
+    if (scope.path != nullptr) {
+      if (called != nullptr) called->caller = scope.path;
+      break;
+    }
+    const Index caller = SkillAbove(at);
+    if (caller == 0) break;
+    PathSkill* const made = MakePath(caller, scope.caller_base);
+    scope.path = made;
+    if (called != nullptr) called->caller = made;
+    called = made;
+    at = caller;
   }
   return scopes_[index].path;
 }

@@ -20,7 +20,7 @@ bool Machine::StartStep() {
   const SkillCode& skill = code_.skills[scopes_[scope_].skill];
   const Instruction& steps = code_.instructions[skill.entry];
   SequenceStates::State& state = sequences_.at(scopes_[scope_].state);
-  if (traced()) TraceStep(state.step);
+  if (traced()) TraceSequence(state.step);
   if (state.step >= steps.b) {
     if (options_.restart) {
       state.step = 0;
@@ -43,15 +43,13 @@ bool Machine::StepEnd() {
   if (!step.truth) {
     step.truth = true;
     const std::uint32_t variables = code_.skills[scopes_[step.parent].skill].variables;
-    const std::span<Value> copy = arena_.MakeValues(variables);
-    std::copy_n(frames_.begin() + base_, variables, copy.begin());
-    step.environment = copy;
+    step.environment = arena_.CopyValues({frames_.data() + base_, variables}).data();
   }
   return false;
 }
 
 bool Machine::AfterStep(const Choice& choice) {
-  const Scope step = scopes_[choice.scopes - 1];
+  const Scope& step = scopes_[choice.scopes - 1];
   if (!step.truth) {
     for (FoundAct* act = step.first_act; act != nullptr;) {
       FoundAct* const next = act->next;
@@ -64,10 +62,11 @@ bool Machine::AfterStep(const Choice& choice) {
     TraceAct(EventKind::kDropped, choice.scopes - 1, *act);
   }
   SequenceStates::State& state = sequences_.at(scopes_[scope_].state);
-  state.environment.assign(step.environment.begin(), step.environment.end());
+  const std::uint32_t variables = code_.skills[scopes_[scope_].skill].variables;
+  state.environment.assign(step.environment, step.environment + variables);
   state.changed = true;
   ++state.step;
-  std::copy(step.environment.begin(), step.environment.end(), frames_.begin() + base_);
+  std::copy_n(step.environment, variables, frames_.begin() + base_);
   return StartStep();
 }
 

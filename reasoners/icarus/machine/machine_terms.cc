@@ -49,23 +49,17 @@ Value Rounded(const Value& value) {
 
 }  // namespace
 
-/// The value; none when a variable of it is unbound, or a call of it False.
-Value Machine::Evaluate(const TermCode& term, Index base) {
+Value Machine::EvaluateOther(const TermCode& term, Index base) {
   switch (term.kind) {
-    case TermCode::Kind::kValue:
-      return term.value;
-    case TermCode::Kind::kVariable:
-      return frames_[base + term.a];
-    case TermCode::Kind::kAnything:
-      return {};
     case TermCode::Kind::kList:
       return EvaluateList(term, base);
     case TermCode::Kind::kCall:
       return CallFunction(term.a, base);
     case TermCode::Kind::kCycle:
       return Value::Integer(static_cast<std::int64_t>(cycle_));
+    default:
+      return {};
   }
-  return {};
 }
 
 Value Machine::EvaluateList(const TermCode& term, Index base) {
@@ -74,20 +68,27 @@ Value Machine::EvaluateList(const TermCode& term, Index base) {
   for (std::uint32_t i = 0; ground && i < term.b; ++i) {
     const Value item = Evaluate(code_.terms[term.a + i], base);
     ground = !item.is_none();
-    scratch_.push_back(item);
+    scratch_.Push(item);
   }
   Value list;
   if (ground) {
-    list = arena_.MakeList({scratch_.data() + mark, scratch_.size() - mark});
+    list = arena_.MakeList(Arguments(mark));
     if (list.is_none()) Fail(clause_form_, kTooLarge);
   }
-  scratch_.resize(mark);
+  scratch_.Shrink(mark);
   return list;
 }
 
 void Machine::SetVariable(Index at, const Value& value) {
   frames_[at] = value;
-  trail_.push_back(at);
+  trail_.Push(at);
+}
+
+void Machine::UndoBindings(std::size_t mark) {
+  while (trail_.size() > mark) {
+    frames_[trail_.back()] = Value();
+    trail_.Pop();
+  }
 }
 
 bool Machine::Unify(const TermCode& term, const Value& value, Index base) {
@@ -148,7 +149,7 @@ bool Machine::TakeApart(const Instruction& instruction) {
 
 /// Appends the arguments to `scratch_`; false, and nothing appended, when one has no value.
 bool Machine::PushArguments(const CallCode& call, Index base) {
-  const std::size_t mark = scratch_.size();
+  const std::size_t mark = scratch_.Reserve(call.count);
   for (std::uint32_t i = 0; i < call.count; ++i) {
     const TermCode& term = code_.terms[call.first + i];
     const Value value = Evaluate(term, base);
@@ -156,56 +157,75 @@ bool Machine::PushArguments(const CallCode& call, Index base) {
       if (term.kind != TermCode::Kind::kCall) {
         Fail(call.form, "an argument of the call has an unbound variable");
       }
-      scratch_.resize(mark);
+      scratch_.Shrink(mark);
       return false;
     }
-    scratch_.push_back(value);
+    scratch_[mark + i] = value;
   }
   return true;
 }
 
 Value Machine::CallFunction(std::uint32_t index, Index base) {
   const CallCode& call = code_.calls[index];
-  const auto builtin = static_cast<Builtin>(call.function);
-  if (call.builtin && (builtin == Builtin::kForget || builtin == Builtin::kUpdate)) {
-    return ChangeMemory(call, base);
-  }
+  if (call.kind == CallCode::Kind::kHost) return CallHost(index, base);
+  if (call.kind == CallCode::Kind::kChange) return ChangeMemory(call, base);
   const std::size_t mark = scratch_.size();
   if (!PushArguments(call, base)) return {};
-  const std::span<const Value> arguments(scratch_.data() + mark, call.count);
-  const Value answer = call.builtin ? CallBuiltin(call, arguments) : CallHost(call, arguments);
-  scratch_.resize(mark);
+  const std::span<const Value> arguments = Arguments(mark);
+  const Value answer = call.kind == CallCode::Kind::kBuiltin ? CallBuiltin(call, arguments)
+                                                             : AskHost(call, arguments);
+  scratch_.Shrink(mark);
   return answer;
 }
 
+/// The call that was asked here last, if it is the same again. Only what variables stand for can
+/// differ.
+SensorCache::Call* Machine::Recall(std::uint32_t index, Index base) {
+  SensorCache::Call* const last = cache_.Last(index);
+  const CallCode& call = code_.calls[index];
+  if (last == nullptr || call.fixed) return last;
+  const TermCode* const terms = code_.terms.data() + call.first;
+  for (std::uint32_t i = 0; i < last->count; ++i) {
+    if (terms[i].kind == TermCode::Kind::kValue) continue;
+    if (terms[i].kind != TermCode::Kind::kVariable) return nullptr;
+    if (!Equal(frames_[base + terms[i].a], last->arguments[i])) return nullptr;
+  }
+  return last;
+}
+
+Value Machine::CallHost(std::uint32_t index, Index base) {
+  const CallCode& call = code_.calls[index];
+  SensorCache::Call* known = Recall(index, base);
+  if (known == nullptr) {
+    const std::size_t mark = scratch_.size();
+    if (!PushArguments(call, base)) return {};
+    known = &cache_.Find(index, call.function, Arguments(mark));
+    scratch_.Shrink(mark);
+  }
+  if (cache_.IsAnswered(*known)) {
+    if (traced()) TraceHost(EventKind::kKnown, call, known->values(), known->answer);
+  } else {
+    cache_.Keep(*known, AskHost(call, known->values()));
+  }
+  return known->answer;
+}
+
 Value Machine::AskHost(const CallCode& call, std::span<const Value> arguments) {
-  std::string error;
   try {
     const Value answer = host_.Call(call.function, arguments, arena_, names_);
     if (traced()) TraceHost(EventKind::kHost, call, arguments, answer);
     return answer;
   } catch (const std::exception& thrown) {
-    error = thrown.what();
+    FailHost(call, arguments, thrown.what());
   } catch (...) {
-    error = "failed";
+    FailHost(call, arguments, "failed");
   }
-  if (traced()) TraceHost(EventKind::kHost, call, arguments, {}, error);
-  Fail(call.form, "{" + std::string(names_.Name(call.name)) + "}: " + error);
   return {};
 }
 
-Value Machine::CallHost(const CallCode& call, std::span<const Value> arguments) {
-  if (changes_memory_[call.function]) return AskHost(call, arguments);
-  const SensorCache::Slot slot = cache_.Find(call.function, arguments);
-  if (slot.answer != nullptr) {
-    if (traced()) TraceHost(EventKind::kKnown, call, arguments, *slot.answer);
-    return *slot.answer;
-  }
-  const std::span<Value> copy = arena_.MakeValues(arguments.size());
-  std::copy(arguments.begin(), arguments.end(), copy.begin());
-  const Value answer = AskHost(call, copy);
-  cache_.Keep(slot, call.function, copy, answer);
-  return answer;
+void Machine::FailHost(const CallCode& call, std::span<const Value> arguments, const char* error) {
+  if (traced()) TraceHost(EventKind::kHost, call, arguments, {}, error);
+  Fail(call.form, "{" + std::string(names_.Name(call.name)) + "}: " + error);
 }
 
 Value Machine::CallBuiltin(const CallCode& call, std::span<const Value> arguments) {
@@ -333,10 +353,7 @@ Value Machine::ChangeMemory(const CallCode& call, Index base) {
   for (const FactStore::Fact* fact = first; fact != nullptr; fact = FactStore::Next(fact, chain)) {
     if (!fact->VisibleAt(version)) continue;
     const bool matches = Unify(pattern, fact->value, base);
-    while (trail_.size() > mark) {
-      frames_[trail_.back()] = Value();
-      trail_.pop_back();
-    }
+    UndoBindings(mark);
     if (!matches) continue;
     if (placed) {
       if (!fresh.is_none() && Equal(fact->value, fresh)) continue;

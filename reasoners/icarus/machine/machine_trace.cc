@@ -3,10 +3,8 @@
 
 namespace latchwork::icarus {
 
-bool Machine::StepTraced(const Instruction& instruction) {
-  const std::size_t mark = trail_.size();
-  const Index scope = scope_;
-  const bool going = Step(instruction);
+/// Tells what an instruction came to. `scope` and `mark` are those that it began with.
+void Machine::TraceStep(const Instruction& instruction, bool going, Index scope, std::size_t mark) {
   switch (instruction.op) {
     case Op::kTest:
       TellClause(EventKind::kTest, instruction, going, mark);
@@ -33,11 +31,11 @@ bool Machine::StepTraced(const Instruction& instruction) {
     default:
       break;
   }
-  return going;
 }
 
 /// Tells how what ends here has ended, then goes back to what is still to be tried.
-bool Machine::ResumeTraced(const Choice& choice) {
+bool Machine::ResumeTraced(const Choice& last) {
+  const Choice choice = last;
   const std::size_t mark = trail_.size();
   switch (choice.kind) {
     case ChoiceKind::kObjective: {
@@ -54,7 +52,7 @@ bool Machine::ResumeTraced(const Choice& choice) {
     default:
       break;
   }
-  const bool going = Resume(choice);
+  const bool going = Resume(last);
   if (!going) return false;
   const Instruction& instruction = code_.instructions[choice.pc];
   if (choice.kind == ChoiceKind::kMatch) TellClause(EventKind::kMatch, instruction, true, mark, 1);
@@ -161,7 +159,7 @@ void Machine::TraceMeans(const Instruction& instruction) {
   Tell(event);
 }
 
-void Machine::TraceStep(std::uint32_t step) {
+void Machine::TraceSequence(std::uint32_t step) {
   Event event = MakeEvent(EventKind::kStep);
   event.index = step + 1;
   Tell(event);

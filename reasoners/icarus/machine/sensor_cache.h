@@ -2,9 +2,9 @@
 #ifndef LATCHWORK_ICARUS_SENSOR_CACHE_H_
 #define LATCHWORK_ICARUS_SENSOR_CACHE_H_
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -12,86 +12,61 @@
 
 namespace latchwork::icarus {
 
-/// The answers of host functions in one cycle, so that one cycle sees one world.
+/// The answers of host functions in one cycle, so that one cycle sees one world. Calls are kept
+/// from cycle to cycle, so that each place of a program finds its own again without a search;
+/// answers are not.
 class SensorCache {
  public:
-  SensorCache() : entries_(64) {}
+  SensorCache() : table_(64, kNoCall) {}
 
-  /// Forgets everything.
-  void Clear() {
-    ++generation_;
-    used_ = 0;
+  /// Begins a cycle: forgets all answers, and the calls, too, when most are of earlier cycles.
+  void Begin() {
+    if (calls_.size() > 2 * answered_ + kSpareCalls) ForgetCalls();
+    ++cycle_;
+    answered_ = 0;
   }
 
-  /// Where the answer to a call is, or is to be kept.
-  struct Slot {
-    std::size_t at;
-    std::uint64_t hash;
-    const Value* answer;  ///< Null: none is kept.
+  /// Good until the next Find.
+  struct Call {
+    std::uint64_t cycle = 0;  ///< In which it was answered.
+    Value answer;
+    const Value* arguments = nullptr;
+    std::uint32_t count = 0;
+    std::uint32_t function = 0;
+    std::uint64_t hash = 0;
+
+    std::span<const Value> values() const { return {arguments, count}; }
   };
 
-  Slot Find(std::uint32_t function, std::span<const Value> arguments) const {
-    const std::uint64_t hash = Mix(function, arguments);
-    const std::size_t at = Place(function, arguments, hash);
-    const Entry& entry = entries_[at];
-    return {at, hash, entry.generation == generation_ ? &entry.answer : nullptr};
+  /// The call that was asked at this place last; null: none is known.
+  Call* Last(std::size_t place) {
+    if (place >= places_.size() || places_[place] == kNoCall) return nullptr;
+    return &calls_[places_[place]];
   }
+  Call& Find(std::size_t place, std::uint32_t function, std::span<const Value> arguments);
 
-  /// Keeps an answer in the slot that Find gave last; `arguments` must stay until Clear.
-  void Keep(const Slot& slot, std::uint32_t function, std::span<const Value> arguments,
-            const Value& answer) {
-    entries_[slot.at] = {generation_, slot.hash, function, arguments, answer};
-    if (++used_ * 2 > entries_.size()) Grow();
+  bool IsAnswered(const Call& call) const { return call.cycle == cycle_; }
+
+  void Keep(Call& call, const Value& answer) {
+    call.cycle = cycle_;
+    call.answer = answer;
+    ++answered_;
   }
 
  private:
-  struct Entry {
-    std::uint64_t generation = 0;
-    std::uint64_t hash = 0;
-    std::uint32_t function = 0;
-    std::span<const Value> arguments;
-    Value answer;
-  };
+  static constexpr std::uint32_t kNoCall = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::size_t kSpareCalls = 64;
 
-  static std::uint64_t Mix(std::uint32_t function, std::span<const Value> arguments) {
-    std::uint64_t hash = function + 1;
-    for (const Value& value : arguments) {
-      hash = (hash ^ Hash(value)) * 0x9e3779b97f4a7c15ULL;
-      hash ^= hash >> 31U;
-    }
-    return hash;
-  }
+  std::uint32_t Search(std::uint32_t function, std::span<const Value> arguments);
+  void Grow();
+  void ForgetCalls();
 
-  std::size_t Place(std::uint32_t function, std::span<const Value> arguments,
-                    std::uint64_t hash) const {
-    const std::size_t mask = entries_.size() - 1;
-    std::size_t at = hash & mask;
-    while (entries_[at].generation == generation_ &&
-           !IsOf(entries_[at], function, arguments, hash)) {
-      at = (at + 1) & mask;
-    }
-    return at;
-  }
-
-  static bool IsOf(const Entry& entry, std::uint32_t function, std::span<const Value> arguments,
-                   std::uint64_t hash) {
-    return entry.hash == hash && entry.function == function &&
-           std::equal(entry.arguments.begin(), entry.arguments.end(), arguments.begin(),
-                      arguments.end(), Equal);
-  }
-
-  void Grow() {
-    std::vector<Entry> old(entries_.size() * 2);
-    old.swap(entries_);
-    for (const Entry& entry : old) {
-      if (entry.generation != generation_) continue;
-      entries_[Place(entry.function, entry.arguments, entry.hash)] = entry;
-    }
-  }
-
-  std::vector<Entry> entries_;
-  std::uint64_t generation_ = 1;
-  std::size_t used_ = 0;
+  std::vector<Call> calls_;
+  std::vector<std::uint32_t> table_;   ///< Calls by hash; a power of two.
+  std::vector<std::uint32_t> places_;  ///< The last call of each place.
+  Arena arguments_;
+  std::uint64_t cycle_ = 0;
+  std::size_t answered_ = 0;
 };
 
 }  // namespace latchwork::icarus

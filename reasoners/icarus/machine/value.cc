@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
-#include <new>
 #include <type_traits>
 
 namespace latchwork::icarus {
@@ -14,11 +12,6 @@ namespace {
 
 static_assert(sizeof(Value) == 16 && sizeof(ListValue) % alignof(Value) == 0);
 static_assert(std::is_trivially_destructible_v<Value>);
-
-std::uint64_t Mix(std::uint64_t hash, std::uint64_t word) {
-  hash = (hash ^ word) * 0x9e3779b97f4a7c15ULL;
-  return hash ^ (hash >> 29U);
-}
 
 template <typename Number>
 void AppendNumber(std::string& text, Number number) {
@@ -104,40 +97,11 @@ Value Value::String(NameId name) {
   return made;
 }
 
-std::uint64_t Hash(const Value& value) {
-  const auto kind = static_cast<std::uint64_t>(value.kind);
-  switch (value.kind) {
-    case ValueKind::kInteger:
-      return Mix(kind, static_cast<std::uint64_t>(value.integer));
-    case ValueKind::kReal:
-      return Mix(kind, std::bit_cast<std::uint64_t>(value.real));
-    case ValueKind::kList:
-      return value.list->hash;
-    default:
-      return Mix(kind, value.name);
-  }
-}
-
-bool Equal(const Value& a, const Value& b) {
-  if (a.kind != b.kind) return false;
-  switch (a.kind) {
-    case ValueKind::kNone:
-      return true;
-    case ValueKind::kInteger:
-      return a.integer == b.integer;
-    case ValueKind::kReal:
-      return std::bit_cast<std::uint64_t>(a.real) == std::bit_cast<std::uint64_t>(b.real);
-    case ValueKind::kSymbol:
-    case ValueKind::kString:
-      return a.name == b.name;
-    case ValueKind::kList:
-      break;
-  }
-  if (a.list == b.list) return true;
-  if (a.list->hash != b.list->hash || a.list->nodes != b.list->nodes) return false;
-  const auto left = a.list->items();
-  const auto right = b.list->items();
-  return std::equal(left.begin(), left.end(), right.begin(), right.end(), Equal);
+bool EqualLists(const ListValue& a, const ListValue& b) {
+  if (a.hash != b.hash || a.nodes != b.nodes || a.size != b.size) return false;
+  const auto left = a.items();
+  const auto right = b.items();
+  return std::equal(left.begin(), left.end(), right.begin(), Equal);
 }
 
 std::string ToString(const Value& value, const NamePool& names) {
@@ -146,41 +110,33 @@ std::string ToString(const Value& value, const NamePool& names) {
   return text;
 }
 
-void* Arena::Allocate(std::size_t bytes) {
-  bytes = (bytes + alignof(Value) - 1) / alignof(Value) * alignof(Value);
-  while (block_ < blocks_.size() && used_ + bytes > blocks_[block_].size()) {
-    ++block_;
-    used_ = 0;
-  }
-  if (block_ == blocks_.size()) {
-    blocks_.emplace_back(std::max(bytes, block_bytes_));
-    used_ = 0;
-  }
-  std::byte* const memory = blocks_[block_].data() + used_;
-  used_ += bytes;
-  return memory;
+Arena& Arena::operator=(Arena&& other) noexcept {
+  block_bytes_ = other.block_bytes_;
+  blocks_ = std::exchange(other.blocks_, {});
+  used_blocks_ = std::exchange(other.used_blocks_, 0);
+  next_ = std::exchange(other.next_, nullptr);
+  left_ = std::exchange(other.left_, 0);
+  return *this;
 }
 
-void Arena::Reset() {
-  block_ = 0;
-  used_ = 0;
-}
-
-std::span<Value> Arena::MakeValues(std::size_t count) {
-  auto* const values = static_cast<Value*>(Allocate(count * sizeof(Value)));
-  for (std::size_t i = 0; i < count; ++i) ::new (values + i) Value();
-  return {values, count};
+/// The blocks that are passed over are too small.
+void* Arena::AllocateInNextBlock(std::size_t bytes) {
+  while (used_blocks_ < blocks_.size() && blocks_[used_blocks_].size() < bytes) ++used_blocks_;
+  if (used_blocks_ == blocks_.size()) blocks_.emplace_back(std::max(bytes, block_bytes_));
+  UseBlock();
+  left_ -= bytes;
+  return std::exchange(next_, next_ + bytes);
 }
 
 Value Arena::MakeList(std::span<const Value> items) {
   std::uint32_t nodes = 1;
   std::uint32_t depth = 0;
-  std::uint64_t hash = Mix(static_cast<std::uint64_t>(ValueKind::kList), items.size());
+  std::uint64_t hash = MixHash(static_cast<std::uint64_t>(ValueKind::kList), items.size());
   for (const Value& item : items) {
     const bool list = item.kind == ValueKind::kList;
     nodes += list ? item.list->nodes : 1;
     depth = std::max(depth, list ? item.list->depth : 0);
-    hash = Mix(hash, Hash(item));
+    hash = MixHash(hash, Hash(item));
     if (nodes > kMaxListNodes || depth >= kMaxListDepth) return {};
   }
   void* const memory = Allocate(sizeof(ListValue) + items.size() * sizeof(Value));

@@ -4,11 +4,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <map>
+#include <new>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace latchwork::icarus {
@@ -54,6 +57,12 @@ struct Value {
   double number() const {
     return kind == ValueKind::kInteger ? static_cast<double>(integer) : real;
   }
+  /// The member of the union that is set, whichever it is.
+  std::uint64_t bits() const {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &integer, sizeof bits);
+    return bits;
+  }
 };
 
 /// Its items follow it in memory.
@@ -70,9 +79,22 @@ struct ListValue {
 inline constexpr std::uint32_t kMaxListDepth = 1000;
 inline constexpr std::uint32_t kMaxListNodes = 1U << 16U;
 
+/// Of two lists.
+bool EqualLists(const ListValue& a, const ListValue& b);
 /// As `equal` of Common Lisp: 1 and 1.0 differ.
-bool Equal(const Value& a, const Value& b);
-std::uint64_t Hash(const Value& value);
+inline bool Equal(const Value& a, const Value& b) {
+  if (a.kind != b.kind || a.name != b.name) return false;
+  return a.bits() == b.bits() || (a.kind == ValueKind::kList && EqualLists(*a.list, *b.list));
+}
+
+inline std::uint64_t MixHash(std::uint64_t hash, std::uint64_t word) {
+  hash = (hash ^ word) * 0x9e3779b97f4a7c15ULL;
+  return hash ^ (hash >> 29U);
+}
+inline std::uint64_t Hash(const Value& value) {
+  if (value.kind == ValueKind::kList) return value.list->hash;
+  return MixHash(static_cast<std::uint64_t>(value.kind), value.bits() ^ value.name);
+}
 /// As the reader would read it back.
 std::string ToString(const Value& value, const NamePool& names);
 
@@ -81,20 +103,47 @@ class Arena {
  public:
   /// Takes its memory from the system in blocks of this size.
   explicit Arena(std::size_t block_bytes = 1U << 16U) : block_bytes_(block_bytes) {}
+  Arena(Arena&& other) noexcept { *this = std::move(other); }
+  Arena& operator=(Arena&& other) noexcept;
 
-  void* Allocate(std::size_t bytes);
-  void Reset();
+  void* Allocate(std::size_t bytes) {
+    bytes = (bytes + alignof(Value) - 1) / alignof(Value) * alignof(Value);
+    if (bytes > left_) return AllocateInNextBlock(bytes);
+    left_ -= bytes;
+    return std::exchange(next_, next_ + bytes);
+  }
+  void Reset() {
+    used_blocks_ = left_ = 0;
+    if (!blocks_.empty()) UseBlock();
+  }
   /// A list of these values, which it shares; none when it would be too deep or too large.
   Value MakeList(std::span<const Value> items);
   /// The value with all its lists in this arena.
   Value Copy(const Value& value);
-  std::span<Value> MakeValues(std::size_t count);
+  std::span<Value> MakeValues(std::size_t count) {
+    auto* const values = static_cast<Value*>(Allocate(count * sizeof(Value)));
+    for (std::size_t i = 0; i < count; ++i) ::new (values + i) Value();
+    return {values, count};
+  }
+  /// The same values, their lists where they are.
+  std::span<Value> CopyValues(std::span<const Value> values) {
+    auto* const copy = static_cast<Value*>(Allocate(values.size_bytes()));
+    for (std::size_t i = 0; i < values.size(); ++i) ::new (copy + i) Value(values[i]);
+    return {copy, values.size()};
+  }
 
  private:
-  std::size_t block_bytes_;
+  [[gnu::noinline]] void* AllocateInNextBlock(std::size_t bytes);
+  void UseBlock() {
+    next_ = blocks_[used_blocks_].data();
+    left_ = blocks_[used_blocks_++].size();
+  }
+
+  std::size_t block_bytes_ = 0;
   std::vector<std::vector<std::byte>> blocks_;
-  std::size_t block_ = 0;
-  std::size_t used_ = 0;
+  std::size_t used_blocks_ = 0;
+  std::byte* next_ = nullptr;  ///< In the last block that is used.
+  std::size_t left_ = 0;
 };
 
 }  // namespace latchwork::icarus
