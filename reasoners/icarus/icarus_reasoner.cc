@@ -73,6 +73,11 @@ logic::Diagnostics IcarusReasoner::Compile(ProgramText text, Loaded& loaded) {
   loaded.interpreter = std::make_unique<Interpreter>(program, *host_, names_, options_);
   Findings findings = loaded.interpreter->findings();
   loaded.top = loaded.interpreter->AddTop(findings);
+  if (!program.nevers.empty() && !HasErrors(findings)) {
+    loaded.admission = std::make_unique<Admission>(body_, *bridge_, names_, program, options_);
+    findings.insert(findings.end(), loaded.admission->findings().begin(),
+                    loaded.admission->findings().end());
+  }
   Settle(program.source, findings);
   return ErrorsOf(findings);
 }
@@ -87,7 +92,9 @@ void IcarusReasoner::SpellNames(const Program& program) {
   for (const Skill& skill : program.skills) {
     WalkTerms(skill, [&](const Term& term, Slot) { spell(term); });
   }
-  WalkTerms(*program.top, [&](const Term& term, Slot) { spell(term); });
+  WalkNameless(program, [&](const Skill& skill) {
+    WalkTerms(skill, [&](const Term& term, Slot) { spell(term); });
+  });
 }
 
 void IcarusReasoner::Adopt(Loaded loaded, std::size_t first_fact) {
@@ -134,7 +141,7 @@ logic::Diagnostics IcarusReasoner::Retract(std::string_view name) {
   for (std::uint32_t i = 0; i < program.skills.size(); ++i) {
     if (i != skill) WalkClauses(program.skills[i], refuse);
   }
-  WalkClauses(*program.top, refuse);
+  WalkNameless(program, [&](const Skill& nameless) { WalkClauses(nameless, refuse); });
   if (!diagnostics.empty()) return diagnostics;
   ProgramText rest = loaded_.text;
   if (!rest.Remove(name)) {
@@ -329,8 +336,11 @@ sdk::Derivation IcarusReasoner::Explain(std::size_t conclusion) {
   return explanation.Take();
 }
 
-void IcarusReasoner::Admit(std::span<const sdk::Latch> /*latches*/, std::size_t /*port*/,
-                           std::span<const logic::Fact> /*batch*/, const sdk::Budget& /*budget*/,
-                           std::vector<sdk::Refusal>& /*refused*/) {}
+void IcarusReasoner::Admit(std::span<const sdk::Latch> latches, std::size_t port,
+                           std::span<const logic::Fact> batch, const sdk::Budget& budget,
+                           std::vector<sdk::Refusal>& refused) {
+  if (loaded_.admission == nullptr) return;
+  loaded_.admission->Admit(latches, port, batch, budget, refused);
+}
 
 }  // namespace latchwork::icarus

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "latchwork/sdk/reasoner.h"
+#include "reasoners/icarus/body/admission.h"
 #include "reasoners/icarus/body/attachment_host.h"
 #include "reasoners/icarus/body/latch_facts.h"
 #include "reasoners/icarus/body/term_bridge.h"
@@ -55,6 +56,7 @@ class IcarusReasoner final : public sdk::Reasoner {
     std::unique_ptr<ProgramFile> file;  ///< The interpreter keeps references to it.
     std::unique_ptr<Interpreter> interpreter;
     std::size_t top = Interpreter::kNoTop;
+    std::unique_ptr<Admission> admission;  ///< Null: the program refuses nothing.
   };
   /// Where a conclusion comes from: an act of the last cycle.
   struct Origin {

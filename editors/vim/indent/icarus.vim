@@ -5,5 +5,5 @@ endif
 let b:did_indent = 1
 
 setlocal lisp autoindent expandtab
-setlocal lispwords=constant,facts,top,cycle
+setlocal lispwords=constant,facts,top,never,cycle
 let b:undo_indent = 'setlocal lisp< autoindent< expandtab< lispwords<'

@@ -7,7 +7,7 @@ syntax case ignore
 syntax match icarusHost /{\s*\zs[^ \t(){}";?:]\+/
 syntax match icarusSkill /^(\s*\zs[^ \t(){}";?:]\+/
 syntax match icarusBuiltin /{\s*\zs\(!=\|<=\|>=\|=\|<\|>\|+\|-\|\*\|\/\|min\|max\|abs\|round\|list\|member\|store\|forget\|update\)\ze\_[ \t(){}";]/
-syntax match icarusForm /(\s*\zs\(constant\|facts\|top\|functions\|cycle\|answer\|expect\|repeat\|idle\)\ze\_[ \t(){}";]/
+syntax match icarusForm /(\s*\zs\(constant\|facts\|top\|never\|functions\|cycle\|answer\|expect\|repeat\|idle\)\ze\_[ \t(){}";]/
 syntax match icarusClause /(\s*\zs\(bind\|\*not\*\|\*nota\*\)\ze\_[ \t(){}";]/
 syntax match icarusSlot /:\(objective\|requires\|means\|sequence\|action\|sensor\|value\)\ze\_[ \t(){}";]/
 syntax match icarusVariable /?[^ \t(){}";]*/

@@ -17,7 +17,8 @@ std::string Wanted(const Signature& signature) {
   return std::to_string(signature.least) + " to " + Count(signature.most, "argument");
 }
 
-/// Whether what is written can never be of the type.
+}  // namespace
+
 bool Offends(const Program& program, const Term& term, ArgumentType type) {
   if (type == ArgumentType::kAny) return false;
   switch (term.kind) {
@@ -37,8 +38,6 @@ bool Offends(const Program& program, const Term& term, ArgumentType type) {
       return false;
   }
 }
-
-}  // namespace
 
 const Signature* FindSignature(std::span<const Signature> signatures, std::string_view name,
                                std::size_t arguments) {

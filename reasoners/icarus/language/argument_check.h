@@ -16,6 +16,9 @@ namespace latchwork::icarus {
 const Signature* FindSignature(std::span<const Signature> signatures, std::string_view name,
                                std::size_t arguments);
 
+/// Whether a term, as written, can never be of the type.
+bool Offends(const Program& program, const Term& term, ArgumentType type);
+
 /// Reports a call, a term of kind kCall, whose number of arguments is wrong, or one of whose
 /// arguments, as written, can never be of its type.
 void CheckArguments(const Program& program, const Term& call, const Signature& signature,

@@ -11,7 +11,7 @@ constexpr Severity kError = Severity::kError;
 constexpr Severity kWarning = Severity::kWarning;
 
 /// In the order of Code. A name, once published, keeps its meaning.
-constexpr std::array<CodeInfo, 34> kCodes = {{
+constexpr std::array<CodeInfo, 35> kCodes = {{
     {"I001", kError,
      "A bracket is missing, superfluous or of the wrong kind. Lists stand in ( ), calls of host "
      "functions in { }."},
@@ -103,6 +103,11 @@ constexpr std::array<CodeInfo, 34> kCodes = {{
      "A file of learned values holds (value (Skill argument ...) estimate times), for skills of "
      "the "
      "program and as many arguments as they have parameters."},
+    {"I035", kWarning,
+     "What a skill does with a parameter, directly or through the skills that it calls, tells "
+     "which "
+     "values it may have: {<} compares numbers, {member} looks into a list. A value of another "
+     "type makes those clauses False, with a fault."},
 }};
 
 }  // namespace

@@ -51,6 +51,7 @@ enum class Code : std::uint8_t {
   kNoSuchFact,
   kReactivePlan,
   kValues,
+  kParameterType,
 };
 
 enum class Severity : std::uint8_t { kError, kWarning };

@@ -26,6 +26,7 @@ void Finish(ProgramFile& result, const CheckOptions& options) {
   Reporter reporter(program.source, result.findings);
   if (!HasErrors(result.findings)) {
     LintCalls(program, options, reporter, result.findings);
+    LintTypes(program, reporter);
     LintVariables(program, reporter);
     LintSkills(program, options, reporter);
     LintSpelling(program, reporter);

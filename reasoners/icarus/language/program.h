@@ -99,7 +99,8 @@ struct Program {
   std::vector<Skill> skills;
   std::vector<Constant> constants;
   std::vector<Term> facts;
-  std::optional<Skill> top;  ///< `(top call)`: a skill without a name whose :requires is the call.
+  std::optional<Skill> top;   ///< `(top call)`: a skill without a name whose :requires is the call.
+  std::vector<Skill> nevers;  ///< `(never clause ...)`: the same, of the clauses.
 
   /// The index of the skill with this name, in any case; kNoSkill where there is none.
   std::uint32_t Find(std::string_view name) const;

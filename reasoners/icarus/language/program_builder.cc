@@ -51,6 +51,7 @@ class Builder {
     for (const FormId root : tree_.roots) Collect(root);
     for (Skill& skill : program_.skills) Fill(skill);
     if (program_.top) FillTop(*program_.top);
+    for (Skill& never : program_.nevers) FillNever(never);
   }
 
  private:
@@ -70,6 +71,8 @@ class Builder {
       AddFacts(children);
     } else if (tree_.IsTop(root)) {
       AddTop(root, children[1]);
+    } else if (tree_.IsNever(root)) {
+      program_.nevers.push_back(Nameless(root, children[0]));
     } else {
       AddSkill(root, children);
     }
@@ -117,10 +120,25 @@ class Builder {
       reporter_.Note(program_.top->form, "the other top");
       return;
     }
-    program_.top.emplace();
-    program_.top->form = root;
-    program_.top->name_form = call;
-    program_.top->slot_forms.fill(kNoForm);
+    program_.top = Nameless(root, call);
+  }
+
+  static Skill Nameless(FormId root, FormId name_form) {
+    Skill skill;
+    skill.form = root;
+    skill.name_form = name_form;
+    skill.slot_forms.fill(kNoForm);
+    return skill;
+  }
+
+  void FillNever(Skill& never) {
+    clauses_.Begin(&never, Code::kClause);
+    std::vector<Clause>& made = never.slots.at(static_cast<std::size_t>(Slot::kRequires)).emplace();
+    for (FormId at = tree_.at(never.name_form).next_sibling; at != kNoForm;
+         at = tree_.at(at).next_sibling) {
+      std::optional<Clause> clause = clauses_.MakeClause(at, Slot::kRequires);
+      if (clause) made.push_back(*std::move(clause));
+    }
   }
 
   /// The skills are known by now.
@@ -167,12 +185,9 @@ class Builder {
       reporter_.Note(program_.skills[place->second].name_form, "defined here");
       return;
     }
-    Skill skill;
+    Skill skill = Nameless(root, children[0]);
     skill.name = name;
     skill.spelling = tree_.Text(children[0]);
-    skill.form = root;
-    skill.name_form = children[0];
-    skill.slot_forms.fill(kNoForm);
     AddParameters(skill, children);
     program_.skills.push_back(std::move(skill));
   }

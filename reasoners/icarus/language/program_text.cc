@@ -19,7 +19,7 @@ std::string NameDefinedBy(const SourceTree& tree, FormId root) {
   const std::vector<FormId> children = tree.Children(root);
   if (children.empty() || tree.kind(children[0]) != FormKind::kSymbol) return {};
   std::string head = tree.Folded(children[0]);
-  if (head == "facts") return {};
+  if (head == "facts" || tree.IsNever(root)) return {};
   if (tree.IsTop(root)) return "(top)";
   if (head != "constant") return head;
   return children.size() > 1 ? tree.Folded(children[1]) : std::string();

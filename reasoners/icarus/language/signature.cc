@@ -10,6 +10,7 @@ namespace {
 
 constexpr ArgumentType kAny = ArgumentType::kAny;
 constexpr ArgumentType kNumber = ArgumentType::kNumber;
+constexpr std::array<ArgumentType, 2> kItemAndList = {kAny, ArgumentType::kList};
 
 /// In the order of Builtin.
 constexpr std::array<Signature, 19> kBuiltins = {{
@@ -28,7 +29,7 @@ constexpr std::array<Signature, 19> kBuiltins = {{
     {"abs", 1, 1, kNumber, false},
     {"round", 1, 1, kNumber, false},
     {"list", 0, kAnyNumber, kAny, false},
-    {"member", 2, 2, kAny, false},
+    {"member", 2, 2, kAny, false, kItemAndList},
     {"store", 1, 1, kAny, true},
     {"forget", 1, 1, kAny, true},
     {"update", 2, 2, kAny, true},

@@ -56,6 +56,17 @@ bool SourceTree::IsTop(FormId root) const {
          at(call).next_sibling == kNoForm;
 }
 
+bool SourceTree::IsNever(FormId root) const {
+  const std::vector<FormId> children = Children(root);
+  if (kind(root) != FormKind::kList || children.size() < 2 || Folded(children[0]) != "never") {
+    return false;
+  }
+  return std::all_of(children.begin() + 1, children.end(), [this](FormId child) {
+    return kind(child) == FormKind::kCall ||
+           (kind(child) == FormKind::kList && at(child).first_child != kNoForm);
+  });
+}
+
 logic::SourcePlace SourceTree::Place(FormId id) const {
   return PlaceAt(at(id).line, at(id).column);
 }

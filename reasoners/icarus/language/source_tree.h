@@ -78,6 +78,8 @@ struct SourceTree {
   std::vector<FormId> Children(FormId id) const;
   /// Whether a form of the top level is `(top (Skill ...))`; skills may have that name, too.
   bool IsTop(FormId root) const;
+  /// Whether a form of the top level is `(never clause ...)`; skills may have that name, too.
+  bool IsNever(FormId root) const;
   logic::SourcePlace Place(FormId id) const;
   /// Of a line of the whole text.
   logic::SourcePlace PlaceAt(std::uint32_t line, std::uint32_t column) const;

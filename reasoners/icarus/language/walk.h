@@ -25,6 +25,13 @@ void WalkClauses(const Skill& skill, const Visit& visit) {
   }
 }
 
+/// Calls `visit(skill)` for the top and for what is never to be: skills without a name.
+template <typename Visit>
+void WalkNameless(const Program& program, const Visit& visit) {
+  if (program.top) visit(*program.top);
+  for (const Skill& never : program.nevers) visit(never);
+}
+
 /// Calls `visit(term)` for a term and all within it.
 template <typename Visit>
 void WalkTerm(const Term& term, const Visit& visit) {

@@ -12,6 +12,9 @@ namespace latchwork::icarus {
 void LintCalls(const Program& program, const CheckOptions& options, Reporter& reporter,
                Findings& findings);
 
+/// Arguments of skills against what the skills do with them.
+void LintTypes(const Program& program, Reporter& reporter);
+
 /// Variables that stand once, or that nothing binds where a value is needed.
 void LintVariables(const Program& program, Reporter& reporter);
 

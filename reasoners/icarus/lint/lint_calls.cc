@@ -131,7 +131,7 @@ void LintCalls(const Program& program, const CheckOptions& options, Reporter& re
                Findings& findings) {
   CallLint lint(program, options, reporter, findings);
   for (const Skill& skill : program.skills) lint.Check(skill);
-  if (program.top) lint.Check(*program.top);
+  WalkNameless(program, [&](const Skill& skill) { lint.Check(skill); });
 }
 
 }  // namespace latchwork::icarus

@@ -41,6 +41,11 @@ std::vector<std::uint32_t> Tops(const Program& program, const CheckOptions& opti
 
 void LintReach(const Program& program, const CheckOptions& options, Reporter& reporter) {
   std::vector<std::uint32_t> open = Tops(program, options);
+  for (const Skill& never : program.nevers) {
+    WalkClauses(never, [&](const Clause& clause, Slot) {
+      if (clause.kind == ClauseKind::kSkill) open.push_back(clause.skill);
+    });
+  }
   std::vector<bool> reached(program.skills.size(), false);
   while (!open.empty()) {
     const std::uint32_t index = open.back();

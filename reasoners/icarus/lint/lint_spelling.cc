@@ -45,10 +45,11 @@ void LintSpelling(const Program& program, Reporter& reporter) {
   for (const Constant& constant : program.constants) {
     if (constant.form != kNoForm) constants.Meet(constant.form);
   }
-  if (program.top) {
-    WalkClauses(*program.top,
-                [&](const Clause& clause, Slot) { skills.Meet(tree.at(clause.form).first_child); });
-  }
+  WalkNameless(program, [&](const Skill& nameless) {
+    WalkClauses(nameless, [&](const Clause& clause, Slot) {
+      if (clause.kind == ClauseKind::kSkill) skills.Meet(tree.at(clause.form).first_child);
+    });
+  });
   for (const Skill& skill : program.skills) {
     Spellings variables(tree, reporter);
     for (const FormId form : skill.variable_forms) variables.Meet(form);

@@ -180,6 +180,10 @@ void LintVariables(const Program& program, Reporter& reporter) {
     LintSingles(program, skill, reporter);
     BindingLint(program, outputs, skill, reporter).Check();
   }
+  for (const Skill& never : program.nevers) {
+    LintSingles(program, never, reporter);
+    BindingLint(program, outputs, never, reporter).Check();
+  }
 }
 
 }  // namespace latchwork::icarus

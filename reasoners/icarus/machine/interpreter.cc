@@ -82,19 +82,23 @@ struct Interpreter::Implementation {
     return tops.size() - 1;
   }
 
+  Issued& now() { return issued[cycle % 2]; }
+  Issued& before() { return issued[(cycle + 1) % 2]; }
+
   void Issue() {
-    std::swap(issued[0], issued[1]);
-    Issued& now = issued[0];
-    now.arena.Reset();
-    now.acts.clear();
+    Issued& fresh = now();
+    fresh.arena.Reset();
+    fresh.acts.clear();
     stopped.clear();
     for (const FoundAct* found : machine.acts()) {
-      if (!Holds(now.acts, found->act)) now.acts.push_back(CopyAct(found->act, now.arena));
+      if (fresh.acts.empty() || !Holds(fresh.acts, found->act)) {
+        fresh.acts.push_back(CopyAct(found->act, fresh.arena));
+      }
     }
-    for (Act& act : issued[1].acts) act.path = nullptr;
-    for (Act& act : now.acts) act.started = !Holds(issued[1].acts, act);
-    for (const Act& act : issued[1].acts) {
-      if (!Holds(now.acts, act)) stopped.push_back(act);
+    for (Act& act : fresh.acts) act.started = !Holds(before().acts, act);
+    for (Act& act : before().acts) {
+      act.path = nullptr;
+      if (!Holds(fresh.acts, act)) stopped.push_back(act);
     }
   }
 
@@ -139,6 +143,11 @@ std::size_t Interpreter::AddTop(Findings& findings) {
   return own.AddTop(*own.program.top, own.program.source, findings);
 }
 
+std::size_t Interpreter::AddNever(std::size_t index, Findings& findings) {
+  Implementation& own = *implementation_;
+  return own.AddTop(own.program.nevers.at(index), own.program.source, findings);
+}
+
 std::string Interpreter::TopText(std::size_t top) const {
   const FormId form = implementation_->code.instructions[implementation_->tops.at(top).entry].form;
   return std::string(TopSource(top).Text(form));
@@ -174,7 +183,7 @@ const CycleResult& Interpreter::Cycle(std::size_t top, const CycleLimits& limits
   machine.sequences().EndCycle(own.cycle, machine.is_whole());
   own.Issue();
   CycleResult& result = own.result;
-  result.acts = own.issued[0].acts;
+  result.acts = own.now().acts;
   result.stopped = own.stopped;
   result.environments = machine.environments();
   result.values = machine.values();
@@ -214,7 +223,7 @@ void Interpreter::Replay(std::size_t top, const CycleLimits& limits, EventSink& 
   own.machine.SetSink(before);
   std::swap(sequences, own.machine.sequences());
   own.memory.Swap(memory);
-  for (Act& act : own.issued[0].acts) act.path = nullptr;
+  for (Act& act : own.now().acts) act.path = nullptr;
 }
 
 namespace {
@@ -242,12 +251,12 @@ void Interpreter::TakeOver(Interpreter& other, std::size_t first_fact) {
   }
   const std::vector<std::uint32_t> same = SameSkills(before.program, own.program);
   own.machine.sequences().TakeOver(before.machine.sequences(), same);
+  own.cycle = before.cycle;
   std::swap(own.issued, before.issued);
-  for (Act& act : own.issued[0].acts) {
+  for (Act& act : own.now().acts) {
     act.skill = act.skill == kNoSkill ? kNoSkill : same[act.skill];
     act.path = nullptr;
   }
-  own.cycle = before.cycle;
 }
 
 std::uint64_t Interpreter::cycle() const { return implementation_->cycle; }

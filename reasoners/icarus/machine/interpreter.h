@@ -127,6 +127,8 @@ class Interpreter {
   std::size_t AddTop(std::string text, Findings& findings);
   /// The top call that the program names; kNoTop when it names none.
   std::size_t AddTop(Findings& findings);
+  /// A conjunction that the program says is never True, by its number in Program::nevers.
+  std::size_t AddNever(std::size_t index, Findings& findings);
   /// The names of the variables of a top call, as they stand in CycleResult::values.
   std::span<const std::string> TopVariables(std::size_t top) const;
 

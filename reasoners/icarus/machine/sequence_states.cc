@@ -48,6 +48,7 @@ SequenceStates SequenceStates::Copy() const {
 }
 
 void SequenceStates::TakeOver(SequenceStates& other, std::span<const std::uint32_t> skills) {
+  Clear();
   for (auto& state : other.states_) {
     const std::uint32_t skill = skills[state->skill];
     if (skill == kNoSkillHere) continue;

@@ -32,8 +32,8 @@ class SequenceStates {
 
   void Clear();
   SequenceStates Copy() const;
-  /// Goes on with the states of another program's skills: `skills[i]` is the number here of its
-  /// skill i, or kNoSkillHere when that is another skill now.
+  /// Goes on with the states of another program's skills, and none of its own: `skills[i]` is the
+  /// number here of its skill i, or kNoSkillHere when that is another skill now.
   void TakeOver(SequenceStates& other, std::span<const std::uint32_t> skills);
   static constexpr std::uint32_t kNoSkillHere = std::numeric_limits<std::uint32_t>::max();
   /// The state for these parameters, made when there is none.

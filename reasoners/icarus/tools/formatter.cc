@@ -193,7 +193,7 @@ class Formatter {
 
   bool IsSkill(FormId root) const {
     const std::string head = tree_.Folded(tree_.at(root).first_child);
-    return head != "facts" && head != "constant" && !tree_.IsTop(root);
+    return head != "facts" && head != "constant" && !tree_.IsTop(root) && !tree_.IsNever(root);
   }
 
   /// A skill stands on one line when it has one slot at most.

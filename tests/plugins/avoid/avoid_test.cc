@@ -74,21 +74,34 @@ TEST_P(AvoidTest, FarEcho_IsNoObject) {
   EXPECT_THAT(mind_.Decide(), IsEmpty());
 }
 
-// A program has no hard axioms, and refuses nothing.
-TEST(TheoryAvoidTest, NonsenseFromAbove_RefusedFactByFact) {
-  LayerMind mind("avoid");
-  EXPECT_THAT(mind.Refused("objects", kPushAhead), IsEmpty());
-  EXPECT_THAT(mind.Refused("objects", {"object(p)", "distance(p, -1.0)", "direction(p, 4.0)"}),
+TEST_P(AvoidTest, NonsenseFromAbove_RefusedFactByFact) {
+  EXPECT_THAT(mind_.Refused("objects", kPushAhead), IsEmpty());
+  EXPECT_THAT(mind_.Refused("objects", {"object(p)", "distance(p, -1.0)", "direction(p, 4.0)"}),
               ElementsAre(1, 2));
-  EXPECT_THAT(mind.Refused("objects", {"distance(p, 1.0)", "distance(p, 2.0)"}), ElementsAre(1));
+  EXPECT_THAT(mind_.Refused("objects", {"distance(p, 1.0)", "distance(p, 2.0)"}), ElementsAre(1));
+  EXPECT_THAT(mind_.Refused("objects", {"direction(p, -3.141592653589793)", "direction(p, 1.0)",
+                                        "direction(p, 1.5)", "direction(q, 1.5)"}),
+              ElementsAre(0, 2));
 }
 
-TEST(TheoryAvoidTest, SonarObjectsFromAbove_Refused) {
-  LayerMind mind("avoid");
-  mind.Latch("robot", kRobot);
-  mind.Latch("sonar", {"sonar_reading(0, 0.1)", "no_echo(1)"});
-  EXPECT_THAT(mind.Refused("objects", {"distance(sonar_obj(0), 3.0)", "object(sonar_obj(1))"}),
-              ElementsAre(0, 1));
+TEST_P(AvoidTest, SonarObjectsFromAbove_Refused) {
+  mind_.Latch("sonar", {"sonar_reading(0, 0.1)", "no_echo(1)"});
+  const std::vector<std::string> claims{
+      "distance(sonar_obj(0), 3.0)", "direction(sonar_obj(0), 1.0)", "object(sonar_obj(1))",
+      "distance(sonar_obj(1), 3.0)", "direction(sonar_obj(1), 1.5)", "object(sonar_obj(0))"};
+  EXPECT_THAT(mind_.Refused("objects", claims), ElementsAre(0, 1, 2, 3, 4));
+}
+
+TEST_P(AvoidTest, WhatWasRefusedBefore_DoesNotCount) {
+  mind_.Latch("sonar", {"sonar_reading(0, 0.1)"});
+  mind_.Decide();
+  mind_.Latch("sonar", {"no_echo(0)"});
+  EXPECT_THAT(mind_.Refused("objects", {"object(sonar_obj(0))"}), ElementsAre(0));
+  mind_.Latch("sonar", {"sonar_reading(0, 0.2)"});
+  EXPECT_THAT(mind_.Refused("objects", {"object(sonar_obj(0))"}), IsEmpty());
+  mind_.Latch("objects", kPushAhead);
+  EXPECT_THAT(mind_.Refused("objects", {"distance(push, 2.0)"}), IsEmpty())
+      << "what the latch holds is replaced";
 }
 
 }  // namespace

@@ -50,10 +50,12 @@ TEST_P(SeekTest, DestinationTakenBack_SilentAgain) {
   EXPECT_THAT(mind_.Decide(), IsEmpty());
 }
 
-TEST(TheorySeekTest, TwoDestinations_SecondRefused) {
-  LayerMind mind("seek");
-  EXPECT_THAT(mind.Refused("destination", {"move_cmd(5.0, 1.0)", "move_cmd(4.0, 1.0)"}),
+TEST_P(SeekTest, TwoDestinations_SecondRefused) {
+  EXPECT_THAT(mind_.Refused("destination", {"move_cmd(5.0, 1.0)", "move_cmd(4.0, 1.0)"}),
               ElementsAre(1));
+  EXPECT_THAT(mind_.Refused("destination", {"move_cmd(5.0, 1.0)", "move_cmd(5.0, 2.0)"}),
+              ElementsAre(1));
+  EXPECT_THAT(mind_.Refused("destination", {"move_cmd(5.0, 1.0)"}), IsEmpty());
 }
 
 TEST_P(SeekTest, MoreSectors_FinerPush) {

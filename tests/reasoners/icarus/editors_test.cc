@@ -104,7 +104,8 @@ TEST(IcarusEditorsTest, VimSyntax_KnowsEveryWord) {
   for (const Signature& builtin : BuiltinSignatures()) {
     EXPECT_TRUE(holds(builtin.name)) << builtin.name;
   }
-  for (const char* word : {"value", "constant", "facts", "top", "bind", "*not*", "*nota*"}) {
+  for (const char* word :
+       {"value", "constant", "facts", "top", "never", "bind", "*not*", "*nota*"}) {
     EXPECT_TRUE(holds(word)) << word;
   }
   EXPECT_NE(ReadEditorFile("vim/ftdetect/icarus.vim").find("*.icarus"), std::string::npos);

@@ -212,6 +212,34 @@ TEST(IcarusInterpreterTest, Paths_TakeMemoryInProportionToCalls) {
   EXPECT_EQ(path.size(), 10'000U);
 }
 
+TEST(IcarusInterpreterTest, TakeOver_ReplacesTheStatesOfSequences) {
+  constexpr std::string_view kText =
+      "(Steps (?n) :sequence ((Fact ?n) (Go ?n)))\n(Fact (?n) :sensor ({store (at ?n)}))\n"
+      "(Go (?n) :action ({go ?n}))";
+  Odd before(kText, "(Steps 1)");
+  Odd after(kText, "(Steps 2)");
+  before.interpreter.Cycle(before.top);
+  after.interpreter.Cycle(after.top);
+  ASSERT_EQ(after.interpreter.sequence_states(), 1U);
+  after.interpreter.TakeOver(before.interpreter, after.file.program.facts.size());
+  EXPECT_EQ(after.interpreter.sequence_states(), 1U) << "that of (Steps 1) alone";
+  EXPECT_EQ(after.interpreter.cycle(), 1U);
+}
+
+/// Asks a sensor with other arguments in each cycle, by two ways.
+TEST(IcarusInterpreterTest, SensorAskedOfEverNewValues_KeepsItsMemory) {
+  Odd odd(
+      "(facts (count 0))\n(Top () :requires ((Next ?n) (*not* (Seen ?n)) (*not* {noted ?n})))\n"
+      "(Next (?n) :sensor ((bind ?n {count}) {update (count ?) (count ?n)}))\n"
+      "(Seen (?n) :requires ((count ?m) (*not* {noted (a ?m)}) {noted (a ?n)}))",
+      "(Top)");
+  for (int i = 0; i < 1000; ++i) odd.interpreter.Cycle(odd.top);
+  const std::size_t before = Allocations();
+  for (int i = 0; i < 1000; ++i) odd.interpreter.Cycle(odd.top);
+  EXPECT_EQ(Allocations(), before);
+  EXPECT_EQ(odd.host.asked, 2000);
+}
+
 TEST(IcarusInterpreterTest, WarmCycle_AllocatesNothing) {
   Odd odd(
       "(facts (car c1) (car c2) (at c1 (10 20)) (at c2 (30 40)))\n"

@@ -102,6 +102,13 @@ constexpr CodeCase kCases[] = {
     {"Spelling", "(A (?car) :requires ({f ?Car}))", "1:25 I026"},
     {"FunctionCount", "(A (?x) :requires ({< ?x}))", "1:20 I027"},
     {"FunctionType", "(A (?x) :requires ({< ?x slow}))", "1:26 I027"},
+    {"ParameterType", "(A () :requires ((B 1) (B slow)))\n(B (?x) :objective ({< ?x 2}))",
+     "1:27 I035"},
+    {"ParameterOfTwoTypes", "(A (?x) :objective ({< ?x 2} {member 2 ?x}))", "1:40 I035"},
+    {"NeverMisspelt", "(never (Trun))\n(Turn () :action ({turn}))", "1:8 I015"},
+    {"NeverOnce", "(never (car ?c))\n(A () :action ({go}))", "1:13 I017"},
+    {"NeverUnbound", "(never {f ?_c})\n(A () :action ({go}))", "1:11 I021"},
+    {"NeverClause", "(never (bind 1 2))\n(A () :action ({go}))", "1:8 I010"},
 };
 
 INSTANTIATE_TEST_SUITE_P(AllCodes, IcarusCodeTest, ::testing::ValuesIn(kCases),
@@ -123,6 +130,28 @@ TEST(IcarusProgramTest, Unreachable_DependsOnTheTop) {
   CheckOptions options;
   options.top = "a";
   EXPECT_EQ(Codes(kText, options), List{"3:2 I018"});
+}
+
+TEST(IcarusProgramTest, ParameterTypes_ComeThroughCallsOfOtherSkills) {
+  constexpr std::string_view kThrough =
+      "(B (?y) :means ((C ?y)))\n(C (?z) :means ((D ?z)))\n(D (?u) :objective ({< ?u 1}))";
+  EXPECT_EQ(Codes("(A () :means ((B slow)))\n" + std::string(kThrough)), List{"1:18 I035"});
+  EXPECT_EQ(Codes("(A () :means ((B 2)))\n" + std::string(kThrough)), List());
+  EXPECT_EQ(Codes("(top (A slow))\n(A (?x) :objective ({< ?x 1}))"), List{"1:9 I035"});
+}
+
+TEST(IcarusProgramTest, Never_LeadsToSkillsAndMayStandManyTimes) {
+  const ProgramFile file = ReadProgram(
+      "(top (A))\n(A () :action ({go}))\n(never (B ?x) {< ?x 0})\n(never (B 1))\n"
+      "(B (?x) :objective ((car ?x)))",
+      "p.icarus");
+  EXPECT_TRUE(file.findings.empty()) << Format(file.findings.front());
+  ASSERT_EQ(file.program.nevers.size(), 2U);
+  EXPECT_EQ(file.program.nevers[0].slot(Slot::kRequires)->size(), 2U);
+}
+
+TEST(IcarusProgramTest, Never_MayBeTheNameOfASkill) {
+  EXPECT_EQ(Codes("(never () :action ({go}))\n(A () :means ((never)))"), List());
 }
 
 TEST(IcarusProgramTest, Top_IsACallOfASkill) {
@@ -192,7 +221,7 @@ TEST(IcarusFindingTest, Codes_AreNumberedAndExplained) {
     EXPECT_TRUE(names.insert(info.name).second) << info.name;
   }
   EXPECT_EQ(*names.begin(), "I001");
-  EXPECT_EQ(names.size(), 34U);
+  EXPECT_EQ(names.size(), 35U);
   EXPECT_EQ(Info(Code::kUnknownFunction).name, "I028");
 }
 
