@@ -80,7 +80,7 @@ class Attempt {
     if (term.kind() != Term::Kind::kCompound) return term;
     std::vector<Term> arguments;
     for (const Term& argument : term.arguments()) arguments.push_back(Instance(argument));
-    const Term instance = Term::Compound(term.symbol(), std::move(arguments));
+    Term instance = Term::Compound(term.symbol(), std::move(arguments));
     if (!instance.is_ground()) return instance;
     return arithmetic_.Normalize(instance).value_or(instance);
   }

@@ -65,7 +65,7 @@ void RuleCompiler::AddEquation(const logic::Literal& literal, std::size_t index)
 Term RuleCompiler::Flatten(const Term& term) {
   if (term.kind() != Term::Kind::kCompound) return term;
   if (arithmetic_.FindFunction(term.symbol(), term.arguments().size())) {
-    const Term variable = Term::Var(static_cast<logic::Variable>(rule_.variables++));
+    Term variable = Term::Var(static_cast<logic::Variable>(rule_.variables++));
     Pending pending;
     pending.kind = Step::Kind::kEqual;
     pending.terms = {term, variable};
@@ -136,8 +136,9 @@ bool RuleCompiler::Order(std::string& problem) {
       if (best == kNoIndex || Merit(pending_[i]) > Merit(pending_[best])) best = i;
     }
     if (best == kNoIndex) {
-      for (const Term& term : pending_.front().terms)
-        problem += problem.empty() ? Unbound(term) : "";
+      for (const Term& term : pending_.front().terms) {
+        if (problem.empty()) problem = Unbound(term);
+      }
       return false;
     }
     const Pending next = std::move(pending_[best]);
