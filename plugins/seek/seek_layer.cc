@@ -19,12 +19,14 @@ using sdk::PortSpec;
 const ArgumentSpec kX{"x", ArgumentType::kReal, "m"};
 const ArgumentSpec kY{"y", ArgumentType::kReal, "m"};
 const ArgumentSpec kAngle{"angle", ArgumentType::kReal, "rad"};
+const ArgumentSpec kFloor{"floor", ArgumentType::kInteger, ""};
 const ArgumentSpec kObject{"object", ArgumentType::kAny, ""};
 
 sdk::Contract MakeContract() {
   PortSpec pose{.name = "pose",
                 .predicates = {{"curr_location", {kX, kY}, "in the building's frame"},
-                               {"curr_heading", {kAngle}, "counter-clockwise from the x axis"}},
+                               {"curr_heading", {kAngle}, "counter-clockwise from the x axis"},
+                               {"curr_floor", {kFloor}, "for reasoners that use a map"}},
                 .help = "where the robot is"};
   PortSpec destination{.name = "destination",
                        .predicates = {{"move_cmd", {kX, kY}, "go there"}},

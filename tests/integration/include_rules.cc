@@ -52,11 +52,12 @@ struct Confinement {
   std::string_view prefix;
   std::string_view folders;
 };
-constexpr std::array<Confinement, 16> kConfinements = {{
+constexpr std::array<Confinement, 17> kConfinements = {{
     {"mrpt/", "worlds/office/"},
     {"opencv2/", ""},
     {"Eigen/", ""},
     {"ompl/", "reasoners/ompl/"},
+    {"png.h", "reasoners/ompl/"},
     {"xercesc/", "core/config/"},
     {"boost/dll/", "core/plugin/"},
     {"boost/math/", "apps/compare/"},
@@ -73,8 +74,8 @@ constexpr std::array<Confinement, 16> kConfinements = {{
     {"benchmark/", "tests/bench/"},
 }};
 
-constexpr std::array<std::string_view, 4> kSingleUser = {"xercesc/", "boost/dll/", "cadical",
-                                                         "sqlite3.h"};
+constexpr std::array<std::string_view, 5> kSingleUser = {"xercesc/", "boost/dll/", "cadical",
+                                                         "sqlite3.h", "png.h"};
 
 std::vector<std::string> Words(std::string_view text) {
   std::istringstream stream{std::string(text)};
