@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The office agent with planners over the map in place of theories.
+// The office agent with planners over the map, or plain behaviours, in place of theories.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -55,6 +55,17 @@ TEST_P(OfficeOmplLayerTest, OneFloorUp) {
 INSTANTIATE_TEST_SUITE_P(Layers, OfficeOmplLayerTest,
                          ::testing::Values("seek", "elevators", "itinerary"),
                          [](const auto& layer) { return std::string(layer.param); });
+
+/// Without any reasoner below: the reactive floor.
+TEST(OfficeBrooksTest, AllScenarios) {
+  for (const char* const agent : {"scenario1.xml", "scenario2.xml", "scenario3.xml"}) {
+    const auto runs = RunSeeds(std::string("office/") + agent, "1-1",
+                               {"--scenario", std::string(kOffice) + "brooks.xml"});
+    ASSERT_EQ(runs.size(), 1U);
+    ExpectAllReached(runs);
+    EXPECT_EQ(runs[0].at("collisions"), 0);
+  }
+}
 
 std::string JournalOf(const std::string& threads) {
   const test::TemporaryFolder folder;

@@ -17,7 +17,7 @@ namespace latchwork::planning {
 struct JobSetup {
   const BuildingMap* map = nullptr;
   PathSettings paths;
-  double clearance = 0.35;  ///< m, from the robot's centre to whatever is in the map
+  double clearance = 0.3;   ///< m, from the robot's centre to whatever is in the map
   double lookahead = 1.0;   ///< m
   double stray = 0.7;       ///< m
   double ride_cost = 20.0;  ///< m

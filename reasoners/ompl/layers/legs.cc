@@ -38,8 +38,11 @@ FoundPath Legs::Between(logic::Symbol from, logic::Symbol to, Effort& effort) {
     const Place& start = setup_.map->landmarks.at(key.first);
     const Place& end = setup_.map->landmarks.at(key.second);
     FoundPath found = FindPath(spaces_.at(start.floor), start.at, end.at, setup_.paths, effort);
-    // What the budget did not suffice for may be found in the next cycle.
-    if (found.state == FoundPath::State::kUnknown) return found;
+    if (found.state == FoundPath::State::kUnknown) {
+      ++setup_.paths
+            .attempt;  // What the budget did not suffice for may be found in the next cycle.
+      return found;
+    }
     known = known_.emplace(key, std::move(found)).first;
   }
   FoundPath found = known->second;

@@ -2,14 +2,16 @@
 #include "reasoners/ompl/layers/traveller.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "reasoners/ompl/layers/follow_path.h"
 
 namespace latchwork::planning {
 namespace {
 
-constexpr double kOnPath = 1.5;      // m; a landmark so near to a path lies on it
-constexpr double kBesidePath = 3.0;  // how many metres along a path one metre beside it outweighs
+constexpr double kOnPath = 2.5;      // m; who is farther from a path has left it
+constexpr double kProgress = 0.3;    // m along a path that a step brings at least
+constexpr double kBesidePath = 2.0;  // how many metres along a path one metre beside it outweighs
 
 Elevator& Named(std::vector<Elevator>& elevators, logic::Symbol name) {
   const auto found = std::find_if(elevators.begin(), elevators.end(),
@@ -104,16 +106,17 @@ bool Traveller::GoOn(logic::Symbol here) {
   return true;
 }
 
-/// Of the landmarks next to the stage's start the one that is farthest along the path; its end,
-/// where none is next to it.
+/// Of the landmarks next to the stage's start the one that is farthest along the path and not far
+/// beside it; the path's end, where none brings more along than beside.
 logic::Symbol Traveller::NextOnFoot(const LatchFacts& latches, const Stage& stage) const {
   logic::Symbol best = stage.to;
-  double most = 0.0;
+  double most = -std::numeric_limits<double>::infinity();
   latches.ForEach({adjacent_, 2}, [&](auto terms) {
     const logic::Symbol landmark = terms[1].symbol();
     if (terms[0].symbol() != stage.from || !Unknown(landmark).empty()) return;
     if (std::binary_search(building_.shut.begin(), building_.shut.end(), landmark)) return;
     const Nearest nearest = NearestOn(stage.path, PlaceOf(landmark).at);
+    if (nearest.along < std::max(kProgress, nearest.distance)) return;
     const double worth = nearest.along - kBesidePath * nearest.distance;
     if (worth <= most) return;
     most = worth;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reasoners/ompl/paths/find_path.h"
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "reasoners/ompl/paths/ompl_query.h"
 
@@ -14,6 +16,26 @@ Path WithEnds(Path path, Point from, Point to) {
   if (path.back() != to) path.push_back(to);
   if (path.size() == 1) path.push_back(to);
   return path;
+}
+
+/// Of as many tries as the settings say. Those after the first path may spend as much again.
+Path ShortestOf(PlannerQuestion question, Effort& effort) {
+  const auto tries = static_cast<std::uint64_t>(question.settings.tries);
+  const std::uint64_t begin = effort.spent();
+  question.effort_end = begin + question.settings.effort;
+  Path best;
+  for (std::uint64_t i = 0; i < tries; ++i) {
+    if (effort.limit() != sdk::Limit::kNone || effort.spent() >= question.effort_end) break;
+    question.attempt = question.settings.attempt * tries + i;
+    Path path = AskPlanner(question, effort);
+    if (path.size() < 2) continue;
+    if (best.empty()) {
+      question.effort_end =
+          std::min(question.effort_end, effort.spent() + (effort.spent() - begin));
+    }
+    if (best.empty() || Length(path) < Length(best)) best = std::move(path);
+  }
+  return best;
 }
 
 }  // namespace
@@ -33,13 +55,7 @@ FoundPath FindPath(const FreeSpace& space, Point from, Point to, const PathSetti
   if (settings.space != SpaceKind::kReedsShepp && space.IsFree(*start, *goal)) {
     return {FoundPath::State::kFound, WithEnds({*start, *goal}, from, to)};
   }
-  Path best;
-  const std::uint64_t end = effort.spent() + settings.effort;
-  for (int i = 0; i < settings.tries; ++i) {
-    if (effort.limit() != sdk::Limit::kNone || effort.spent() >= end) break;
-    Path path = AskPlanner({space, *start, *goal, settings, i, end}, effort);
-    if (path.size() >= 2 && (best.empty() || Length(path) < Length(best))) best = std::move(path);
-  }
+  Path best = ShortestOf({space, *start, *goal, settings}, effort);
   if (best.empty()) return {FoundPath::State::kUnknown, {}};
   return {FoundPath::State::kFound, WithEnds(std::move(best), from, to)};
 }

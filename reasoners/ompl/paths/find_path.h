@@ -19,11 +19,12 @@ struct PathSettings {
   std::string planner = "RRTConnect";
   std::vector<std::pair<std::string, std::string>> options;  ///< Of the planner, checked before.
   SpaceKind space = SpaceKind::kPlane;
-  double turning_radius = 0.5;    ///< m, of a Reeds-Shepp car
-  double snap = 1.0;              ///< m; an end that is not free is moved at most so far.
-  std::uint64_t effort = 50'000;  ///< For one path; the budget's rest, if that is less.
+  double turning_radius = 0.5;     ///< m, of a Reeds-Shepp car
+  double snap = 1.0;               ///< m; an end that is not free is moved at most so far.
+  std::uint64_t effort = 100'000;  ///< For one path; the budget's rest, if that is less.
   std::uint64_t seed = 1;
-  int tries = 3;  ///< The shortest path of so many counts.
+  std::uint64_t attempt = 0;  ///< Another seed for what failed before.
+  int tries = 3;              ///< The shortest path of so many counts.
   bool simplify = true;
   bool optimize = false;  ///< Optimizing planners go on until the effort is spent.
 };

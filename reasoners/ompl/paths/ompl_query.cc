@@ -36,9 +36,10 @@ namespace {
 namespace ob = ::ompl::base;
 namespace og = ::ompl::geometric;
 
-constexpr int kHeadings = 8;        // where any will do
-constexpr double kCellSize = 1.0;   // m
-constexpr double kCurveStep = 0.1;  // m between the corners of a Reeds-Shepp path
+constexpr int kHeadings = 8;         // where any will do
+constexpr const char* kRange = "2";  // m, of a tree's step
+constexpr double kCellSize = 1.0;    // m
+constexpr double kCurveStep = 0.1;   // m between the corners of a Reeds-Shepp path
 
 /// OMPL gives every planner, sampler and tree its seed from one generator of the process.
 std::mutex& SeedLock() {
@@ -52,8 +53,8 @@ std::uint32_t SeedOf(const PlannerQuestion& question) {
     return stream.Bits(
         std::bit_cast<std::uint64_t>(p.x) ^ std::rotl(std::bit_cast<std::uint64_t>(p.y), 17), draw);
   };
-  const auto attempt = static_cast<std::uint64_t>(question.attempt);
-  const std::uint64_t mixed = bits(question.from, 2 * attempt) ^ bits(question.to, 2 * attempt + 1);
+  const std::uint64_t draw = 2 * question.attempt;
+  const std::uint64_t mixed = bits(question.from, draw) ^ bits(question.to, draw + 1);
   return static_cast<std::uint32_t>(mixed >> 33U) + 1U;
 }
 
@@ -161,6 +162,8 @@ class Query {
   Path Ask() {
     const ob::PlannerPtr planner = MakePlanner(question_->settings.planner, space_);
     planner->setProblemDefinition(problem_);
+    // OMPL's own, a fifth of the floor's diagonal, seldom ends in the room where it begins.
+    if (planner->params().hasParam("range")) planner->params().setParam("range", kRange);
     for (const auto& [name, value] : question_->settings.options) {
       planner->params().setParam(name, value);
     }

@@ -13,7 +13,7 @@ struct PlannerQuestion {
   Point from;  ///< Free, and so is `to`.
   Point to;
   const PathSettings& settings;
-  int attempt = 0;               ///< Each has a seed of its own.
+  std::uint64_t attempt = 0;     ///< Each has a seed of its own.
   std::uint64_t effort_end = 0;  ///< The planner stops when so much is spent in all.
 };
 

@@ -78,8 +78,8 @@ TEST_F(TwoRoomsTest, Optimized_SpendsItsEffortForAShorterPath) {
   const std::uint64_t spent = spent_;
   const FoundPath best =
       Ask({.planner = "RRTstar", .tries = 1, .simplify = false, .optimize = true});
-  EXPECT_GE(spent_, 50'000U);
-  EXPECT_LT(spent, 50'000U);
+  EXPECT_GE(spent_, 100'000U);
+  EXPECT_LT(spent, 100'000U);
   EXPECT_LT(Length(best.path), Length(first.path));
 }
 
