@@ -58,13 +58,12 @@ compare::Shard ParseShard(const std::string& text) {
   return {index - 1, count};
 }
 
-/// Whether all that is in the log belongs to the experiment; says what does not.
-bool Belongs(const Experiment& experiment, const RunLog& log, const std::filesystem::path& folder) {
+/// Whether all runs belong to the experiment; says which does not.
+bool Belongs(const Experiment& experiment, const Records& runs,
+             const std::filesystem::path& folder) {
   std::map<RunKey, std::string> commands;
-  for (const PlannedRun& run : PlanRuns(experiment)) {
-    commands[run.key] = fmt::format("latchwork {}", fmt::join(run.arguments, " "));
-  }
-  for (const auto& [key, record] : log.done()) {
+  for (const PlannedRun& run : PlanRuns(experiment)) commands[run.key] = CommandOf(run);
+  for (const auto& [key, record] : runs) {
     const auto planned = commands.find(key);
     if (planned != commands.end() && planned->second == record.command) continue;
     fmt::print(stderr,
@@ -82,36 +81,51 @@ bool TakeOver(const Experiment& experiment, const std::filesystem::path& folder,
     fmt::print(stderr, "{}: there is no runs.jsonl to take over\n", folder.string());
     return false;
   }
-  const RunLog other(file);
-  if (!other.problem().empty()) {
-    fmt::print(stderr, "{}\n", other.problem());
+  const compare::LoggedRuns other = compare::ReadRunLog(file);
+  if (!other.problem.empty()) {
+    fmt::print(stderr, "{}\n", other.problem);
     return false;
   }
-  if (!Belongs(experiment, other, folder)) return false;
-  for (const auto& [key, record] : other.done()) {
-    if (!log.done().contains(key) && !log.Add(record)) return false;
+  if (!Belongs(experiment, other.runs, folder)) return false;
+  for (const auto& [key, record] : other.runs) {
+    if (!log.done().contains(key)) log.Add(record);
   }
   return true;
 }
 
-void MakeMissing(const Experiment& experiment, const CompareOptions& options,
-                 const std::filesystem::path& program, RunLog& log) {
+/// A run that cannot begin says that the experiment is wrong: it is not kept, and nothing follows.
+int MakeMissing(const Experiment& experiment, const CompareOptions& options, const Context& context,
+                RunLog& log) {
   std::vector<PlannedRun> missing = PlanRuns(experiment, ParseShard(options.shard));
-  const std::size_t all = missing.size();
   std::erase_if(missing, [&](const PlannedRun& run) { return log.done().contains(run.key); });
   Progress progress("runs", options.quiet);
-  std::size_t done = all - missing.size();
+  std::size_t done = 0;
+  int exit_code = kDone;
   compare::QueueOptions queue;
-  queue.program = program;
+  queue.program = context.executable;
+  for (const std::filesystem::path& folder : context.plugin_folders) {
+    queue.arguments.insert(queue.arguments.end(),
+                           {"--plugin-path", std::filesystem::absolute(folder).string()});
+  }
   queue.limits = experiment.limits;
   queue.jobs = options.jobs;
   queue.on_done = [&](const RunRecord& record) {
-    progress.Update(++done, all);
+    progress.Update(++done, missing.size());
+    if (record.outcome == compare::Outcome::kInvalid) {
+      fmt::print(stderr, "a run cannot begin: {}\n  {}\n", record.command, record.message);
+      exit_code = kInvalidInput;
+      return false;
+    }
     return log.Add(record);
   };
   std::signal(SIGINT, Interrupt);
   std::signal(SIGTERM, Interrupt);
   MakeRuns(missing, queue, interrupted);
+  if (exit_code == kDone && !log.problem().empty()) {
+    fmt::print(stderr, "{}\n", log.problem());
+    exit_code = kInternalError;
+  }
+  return exit_code;
 }
 
 bool WriteText(const std::filesystem::path& file, const std::string& text) {
@@ -153,7 +167,7 @@ void ShowPlan(const Experiment& experiment) {
 }
 
 int RunExperiment(const Experiment& experiment, const CompareOptions& options,
-                  const std::filesystem::path& program) {
+                  const Context& context) {
   std::error_code error;
   std::filesystem::create_directories(options.out, error);
   RunLog log(options.out / "runs.jsonl");
@@ -161,11 +175,12 @@ int RunExperiment(const Experiment& experiment, const CompareOptions& options,
     fmt::print(stderr, "{}\n", log.problem());
     return kInvalidInput;
   }
-  if (!Belongs(experiment, log, options.out)) return kInvalidInput;
+  if (!Belongs(experiment, log.done(), options.out)) return kInvalidInput;
   for (const std::filesystem::path& folder : options.merge) {
     if (!TakeOver(experiment, folder, log)) return kInvalidInput;
   }
-  MakeMissing(experiment, options, program, log);
+  const int exit_code = MakeMissing(experiment, options, context, log);
+  if (exit_code != kDone) return exit_code;
   const std::string text = ToText(experiment, Evaluate(experiment, log.done()));
   if (!WriteAll(options.out, log.done(), text)) return kInternalError;
   fmt::print("{}", text);
@@ -174,7 +189,7 @@ int RunExperiment(const Experiment& experiment, const CompareOptions& options,
   return kGoalNotReached;
 }
 
-int Compare(const CompareOptions& options, const std::filesystem::path& program) {
+int Compare(const CompareOptions& options, const Context& context) {
   const compare::ExperimentFile file = compare::ReadExperiment(options.experiment);
   if (!file.experiment) {
     fmt::print(stderr, "{}", logic::Format(file.diagnostics));
@@ -184,7 +199,7 @@ int Compare(const CompareOptions& options, const std::filesystem::path& program)
     ShowPlan(*file.experiment);
     return kDone;
   }
-  return RunExperiment(*file.experiment, options, program);
+  return RunExperiment(*file.experiment, options, context);
 }
 
 constexpr const char* kFooter =
@@ -226,7 +241,7 @@ void AddCompare(CLI::App& app, Context& context) {
     if (options->out.empty()) {
       options->out = std::filesystem::path("out") / options->experiment.stem();
     }
-    context.exit_code = Compare(*options, context.executable);
+    context.exit_code = Compare(*options, context);
   });
 }
 

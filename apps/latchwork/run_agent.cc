@@ -126,6 +126,8 @@ FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry
   if (!request.out.empty() && !MakeFolder(request.out, run)) return run;
 
   run.agent_name = agent->description.name;
+  run.duration_s = static_cast<double>(request.ticks.value_or(agent->description.max_ticks)) *
+                   static_cast<double>(agent->description.tick_us) / 1e6;
   for (const auto& layer : agent->description.layers) run.layer_names.push_back(layer.name);
   RunWatch watch(run, notice, request.ticks.value_or(agent->description.max_ticks));
   schedule::LockstepOptions options;

@@ -41,7 +41,8 @@ struct FinishedRun {
   RunRequest request;
   int exit_code = 0;
   std::string agent_name;
-  std::string errors;  ///< Diagnostics or I/O errors, ready to print; empty when all went well.
+  double duration_s = 0;  ///< How long it may last in the world.
+  std::string errors;     ///< Diagnostics or I/O errors, ready to print; empty when all went well.
   schedule::RunResult result;            ///< Only when the run began.
   std::vector<schedule::Fault> faults;   ///< The first of each layer and kind, with its tick.
   std::vector<std::string> layer_names;  ///< For the faults.

@@ -68,6 +68,7 @@ Json RunJson(const FinishedRun& run) {
           {"agent", run.agent_name},
           {"agent_file", run.request.agent_file.string()},
           {"command", CommandOf(run.request)},
+          {"duration_s", run.duration_s},
           {"measures", MeasuresJson(result)},
           {"layers", std::move(layers)},
           {"events", EventsJson(run.events)},

@@ -31,6 +31,7 @@ void EachState::Decide(sdk::Reasoner& reasoner, std::span<const sdk::Latch> latc
                        const sdk::Budget& budget, sdk::Decision& decision) {
   decision.Clear();
   drawn_.clear();
+  states_known_ = true;
   if (!ListStates(latches)) {
     decision.status = sdk::Status::kUnknown;
     decision.message = fmt::format(
@@ -40,9 +41,15 @@ void EachState::Decide(sdk::Reasoner& reasoner, std::span<const sdk::Latch> latc
   shown_.assign(latches.begin(), latches.end());
   decision.status = sdk::Status::kRefuted;
   for (std::size_t state = 0; state < states_; ++state) {
-    Show(latches, state);
     sdk::Budget left = budget;
     left.inferences -= std::min(left.inferences, decision.statistics.inferences);
+    if (left.inferences == 0) {
+      decision.status = sdk::Status::kUnknown;
+      decision.limit = sdk::Limit::kInferences;
+      states_known_ = false;
+      break;
+    }
+    Show(latches, state);
     reasoner.Decide(shown_, left, one_);
     if (!Add(state, decision)) return;
   }
@@ -93,22 +100,25 @@ bool EachState::Add(std::size_t state, sdk::Decision& decision) {
   }
   if (one_.status == sdk::Status::kUnknown) {
     decision.status = sdk::Status::kUnknown;
-    decision.limit = one_.limit;
+    if (one_.limit != sdk::Limit::kNone) decision.limit = one_.limit;
+    states_known_ = false;
   }
   for (const sdk::Conclusion& each : one_.conclusions) AddConclusion(state, each, decision);
+  for (const sdk::Conclusion& each : one_.undecided) Find(each);
   return true;
+}
+
+EachState::Drawn& EachState::Find(const sdk::Conclusion& conclusion) {
+  const auto known = std::find_if(drawn_.begin(), drawn_.end(), [&](const Drawn& drawn) {
+    return drawn.conclusion.goal == conclusion.goal && drawn.conclusion.fact == conclusion.fact;
+  });
+  if (known != drawn_.end()) return *known;
+  return drawn_.emplace_back(Drawn{{conclusion.goal, conclusion.fact, {}}, {}});
 }
 
 void EachState::AddConclusion(std::size_t state, const sdk::Conclusion& conclusion,
                               sdk::Decision& decision) {
-  const auto is_it = [&](const Drawn& drawn) {
-    return drawn.conclusion.goal == conclusion.goal && drawn.conclusion.fact == conclusion.fact;
-  };
-  auto known = std::find_if(drawn_.begin(), drawn_.end(), is_it);
-  if (known == drawn_.end()) {
-    drawn_.push_back({{conclusion.goal, conclusion.fact, {}}, {}});
-    known = std::prev(drawn_.end());
-  }
+  Drawn* const known = &Find(conclusion);
   if (known->states.empty() || known->states.back() != state) known->states.push_back(state);
   std::vector<std::size_t>& rests_on = known->conclusion.assumptions;
   for (const std::size_t index : conclusion.assumptions) {
@@ -144,7 +154,7 @@ void EachState::Finish(sdk::Decision& decision) {
   }
   if (!decision.undecided.empty()) {
     sdk::Unite(states);
-    decision.states = std::move(states);
+    if (states_known_) decision.states = std::move(states);
     decision.status = sdk::Status::kUnknown;
   } else if (decision.status == sdk::Status::kRefuted && !decision.conclusions.empty()) {
     decision.status = sdk::Status::kProved;

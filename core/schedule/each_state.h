@@ -23,7 +23,7 @@ class EachState {
               const sdk::Budget& budget, sdk::Decision& decision);
 
  private:
-  /// A conclusion, and in which states it was drawn.
+  /// A conclusion, and in which states it was drawn; in others it may be undecided.
   struct Drawn {
     sdk::Conclusion conclusion;
     sdk::GoalState states;
@@ -33,6 +33,7 @@ class EachState {
   void Show(std::span<const sdk::Latch> latches, std::size_t state);
   /// False: the decision for all states is made; it is no good.
   bool Add(std::size_t state, sdk::Decision& decision);
+  Drawn& Find(const sdk::Conclusion& conclusion);
   void AddConclusion(std::size_t state, const sdk::Conclusion& conclusion, sdk::Decision& decision);
   std::size_t AddAssumption(const sdk::Assumption& assumption, sdk::Decision& decision);
   void Finish(sdk::Decision& decision);
@@ -43,6 +44,7 @@ class EachState {
   std::uint64_t shows_ = 0;
   sdk::Decision one_;  ///< Of one state.
   std::vector<Drawn> drawn_;
+  bool states_known_ = true;  ///< In each state, what was not drawn does not hold.
 };
 
 }  // namespace latchwork::schedule

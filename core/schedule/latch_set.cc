@@ -79,7 +79,7 @@ void LatchSet::Settle(std::uint64_t tick, sdk::Reasoner& reasoner, const sdk::Bu
     if (slot.due) {
       Admit(port, reasoner, budget, result);
     } else {
-      slot.content.Swap(latches_[port]);
+      ShowAgain(port);
     }
   }
 }
@@ -132,6 +132,8 @@ bool LatchSet::MarkSensors() {
   return any;
 }
 
+/// A reasoner that tells latches by their versions must not take a hidden one for what it was. A
+/// sensor that says the same again may as well be seen.
 void LatchSet::Hide(bool inputs) {
   for (std::size_t port = 0; port < slots_.size(); ++port) {
     Slot& slot = slots_[port];
@@ -139,7 +141,13 @@ void LatchSet::Hide(bool inputs) {
     slot.content.Swap(latches_[port]);
     latches_[port].facts.clear();
     latches_[port].undecided.Clear();
+    if (!slot.from_sensor || slot.changed) latches_[port].version = kHidden;
   }
+}
+
+void LatchSet::ShowAgain(std::size_t port) {
+  slots_[port].content.Swap(latches_[port]);
+  latches_[port].version = slots_[port].version;
 }
 
 void LatchSet::Admit(std::size_t port, sdk::Reasoner& reasoner, const sdk::Budget& budget,
@@ -199,12 +207,9 @@ void LatchSet::Enter(std::size_t port, const std::vector<std::size_t>& refused,
   Slot& slot = slots_[port];
   entering_ = slot.batch;
   if (!refused.empty()) entering_.Drop(refused);
-  if (entering_ == slot.content) {
-    slot.content.Swap(latches_[port]);
-    return;
-  }
+  if (entering_ == slot.content) return ShowAgain(port);
   entering_.Swap(latches_[port]);
-  ++latches_[port].version;
+  latches_[port].version = ++slot.version;
   result.changes.push_back({port, slot.stale});
 }
 
@@ -213,7 +218,7 @@ std::uint64_t LatchSet::ContextOf(std::size_t port) const {
   std::uint64_t sum = 0;
   for (std::size_t other = 0; other < slots_.size(); ++other) {
     const bool before = slots_[other].from_sensor || (!slots_[port].from_sensor && other < port);
-    if (other != port && before) sum += latches_[other].version;
+    if (other != port && before) sum += slots_[other].version;
   }
   return sum;
 }

@@ -61,6 +61,7 @@ class LatchSet {
 
  private:
   static constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
+  static constexpr std::uint64_t kHidden = kNever - 1;  ///< Version of a latch that shows nothing.
 
   struct Content {
     std::vector<logic::Fact> facts;
@@ -87,6 +88,7 @@ class LatchSet {
     Content batch;                     ///< The last one that keeps the contract.
     Content content;                   ///< The latch's, while it is hidden from Admit.
     std::vector<std::size_t> refused;  ///< Of `batch`, when it was last checked.
+    std::uint64_t version = 0;         ///< Of the latch, also while it is hidden.
     std::uint64_t arrival = 0;
     std::uint64_t context = kNever;  ///< ContextOf at that time.
     bool arrived = false;
@@ -98,6 +100,7 @@ class LatchSet {
   void TakeBatch(std::size_t port, std::uint64_t tick, Settlement& result);
   bool MarkSensors();
   void Hide(bool inputs);
+  void ShowAgain(std::size_t port);
   void RefuseOffences(std::size_t port, Settlement& result);
   void Admit(std::size_t port, sdk::Reasoner& reasoner, const sdk::Budget& budget,
              Settlement& result);

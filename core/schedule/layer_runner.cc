@@ -77,7 +77,7 @@ void LayerRunner::Decide() {
   const bool is_decided = std::ranges::all_of(
       latches, [](const sdk::Latch& latch) { return latch.undecided.facts.empty(); });
   thrown_ = Contain([&] {
-    if (is_decided || reasoner.takes_undecided()) {
+    if (is_decided || reasoner.takes_undecided() || reasoner.keeps_memory()) {
       reasoner.Decide(latches, budget_, decision_);
     } else {
       each_state_.Decide(reasoner, latches, budget_, decision_);

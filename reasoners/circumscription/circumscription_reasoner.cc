@@ -117,11 +117,11 @@ sdk::Derivation CircumscriptionReasoner::Explain(std::size_t conclusion) {
   return was_exact_ ? exact_->Explain(last_, conclusion) : bounded_.Explain(conclusion);
 }
 
-std::optional<Explanation> CircumscriptionReasoner::ExplainDefault(std::size_t assumption) const {
-  return was_exact_ ? exact_->ExplainDefault(assumption) : std::nullopt;
+std::optional<sdk::Explanation> CircumscriptionReasoner::ExplainAssumption(std::size_t assumption) {
+  return was_exact_ ? exact_->ExplainAssumption(assumption) : std::nullopt;
 }
 
-std::optional<Explanation> CircumscriptionReasoner::WhyNot(const logic::Atom& pattern) const {
+std::optional<sdk::Explanation> CircumscriptionReasoner::WhyNot(const logic::Atom& pattern) {
   return was_exact_ ? exact_->WhyNot(pattern) : std::nullopt;
 }
 

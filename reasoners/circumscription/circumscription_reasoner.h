@@ -40,9 +40,9 @@ class CircumscriptionReasoner final : public sdk::Reasoner {
 
   /// Why the default of an assumption of the last decision was made, or which facts of latches
   /// retracted it. Nothing where the decision was bounded, or needed a search.
-  std::optional<Explanation> ExplainDefault(std::size_t assumption) const;
+  std::optional<sdk::Explanation> ExplainAssumption(std::size_t assumption) override;
   /// Why no instance of a goal, or of any other atom, was concluded in the last decision.
-  std::optional<Explanation> WhyNot(const logic::Atom& pattern) const;
+  std::optional<sdk::Explanation> WhyNot(const logic::Atom& pattern) override;
 
   /// Whether decisions are exact now; where they are not, why_bounded() says why.
   bool is_exact() const { return exact_ != nullptr; }

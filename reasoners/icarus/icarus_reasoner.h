@@ -28,6 +28,7 @@ namespace latchwork::icarus {
 class IcarusReasoner final : public sdk::Reasoner {
  public:
   std::string_view language() const override { return "icarus"; }
+  bool keeps_memory() const override { return true; }
   std::span<const sdk::ParameterSpec> parameters() const override;
 
   logic::Diagnostics Load(const sdk::Body& body, const sdk::Parameters& parameters,

@@ -102,17 +102,15 @@ TEST_F(CompareCommandTest, Interrupted_KeepsWhatIsDoneAndGoesOn) {
   EXPECT_EQ(Bytes("all"), Bytes("once"));
 }
 
-TEST_F(CompareCommandTest, RunsThatCannotEndOrBegin_AreCounted) {
-  WriteText(scratch_.path() / "towers.xml",
-            "<experiment format=\"1\" name=\"limits\" seeds=\"1-1\" memory=\"8MB\">\n"
-            "  <scenario name=\"tower\" file=\"" LATCHWORK_SOURCE_DIR
-            "/examples/icarus/hanoi.xml\"/>\n"
-            "  <agent name=\"a\"/><agent name=\"b\"/>\n"
-            "</experiment>\n");
+TEST_F(CompareCommandTest, RunThatCannotBegin_EndsTheExperimentAndIsNotKept) {
+  std::string text = Experiment("seeds=\"1-2\"");
+  text.replace(text.find("world.slip"), 10, "world.slop");
+  WriteText(scratch_.path() / "towers.xml", text);
   const CommandResult result = Compare({"--out", "all"});
-  EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.out, HasSubstr("2 runs did not reach their goal"));
-  EXPECT_EQ(CountLines("all/runs.jsonl"), 2U);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("a run cannot begin: latchwork run"));
+  EXPECT_THAT(result.err, HasSubstr("slop"));
+  EXPECT_EQ(ReadText(scratch_.path() / "all/runs.jsonl").find("slipping"), std::string::npos);
 }
 
 TEST_F(CompareCommandTest, FolderOfAnotherExperiment_IsLeftAlone) {

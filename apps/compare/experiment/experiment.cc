@@ -58,7 +58,7 @@ constexpr std::string_view kSchema = R"xsd(<?xml version="1.0" encoding="UTF-8"?
   </xs:simpleType>
   <xs:simpleType name="Level">
     <xs:annotation><xs:documentation>a level of significance between 0 and 1, as in 0.05</xs:documentation></xs:annotation>
-    <xs:restriction base="xs:string"><xs:pattern value="0\.[0-9]{0,5}[1-9]"/></xs:restriction>
+    <xs:restriction base="xs:string"><xs:pattern value="0\.[0-9]{0,5}[1-9][0-9]{0,5}"/></xs:restriction>
   </xs:simpleType>
   <xs:simpleType name="Seconds">
     <xs:annotation><xs:documentation>seconds and their unit, as in 60s</xs:documentation></xs:annotation>

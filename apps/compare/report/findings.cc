@@ -15,7 +15,7 @@ RunScore ScoreOf(const RunRecord& record) {
 double LimitOf(const Records& records, const std::string& scenario) {
   double limit = 0;
   for (const auto& [key, run] : records) {
-    if (key.scenario == scenario) limit = std::max(limit, run.time_s);
+    if (key.scenario == scenario) limit = std::max({limit, run.duration_s, run.time_s});
   }
   return limit;
 }

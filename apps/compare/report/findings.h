@@ -28,7 +28,7 @@ struct Duel {
   std::string scenario;
   std::string first;
   std::string second;
-  double limit_s = 0;  ///< The longest that any run of the scenario lasted.
+  double limit_s = 0;  ///< How long a run of the scenario may last.
   Comparison comparison;
 };
 

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -54,6 +55,7 @@ class Pipe {
 [[noreturn]] void Become(const char* program, char* const* arguments, int output, int errors,
                          rlim_t memory) {
   setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int nothing = open("/dev/null", O_RDONLY);
   dup2(nothing, STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
@@ -133,7 +135,11 @@ class Child {
   void Wait() {
     int status = 0;
     rusage usage{};
-    while (wait4(process_, &status, 0, &usage) < 0 && errno == EINTR) {
+    while (true) {
+      const pid_t ended = wait4(process_, &status, WNOHANG, &usage);
+      if (ended == process_ || (ended < 0 && errno != EINTR)) break;
+      if (result_.end == ChildResult::End::kNotStarted) EndIfDue();
+      poll(nullptr, 0, 1);
     }
     result_.wall_seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
     const auto seconds = [](const timeval& time) {

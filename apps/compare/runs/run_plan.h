@@ -32,8 +32,11 @@ struct PlannedRun {
   std::vector<std::string> arguments;
 };
 
-/// All runs of an experiment's shard, contenders taking turns within a seed: what changes on the
-/// machine meanwhile meets all of them alike.
+/// What a person types to repeat a run, quoted for a shell.
+std::string CommandOf(const PlannedRun& run);
+
+/// All runs of an experiment's shard. Contenders take turns within a seed and stay together in one
+/// shard: what is different on a machine, or changes there, meets all of them alike.
 std::vector<PlannedRun> PlanRuns(const Experiment& experiment, const Shard& shard = {});
 
 }  // namespace latchwork::compare

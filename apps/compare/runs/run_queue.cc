@@ -14,7 +14,8 @@ void MakeRuns(const std::vector<PlannedRun>& runs, const QueueOptions& options,
     while (!stop) {
       const std::size_t index = next++;
       if (index >= runs.size()) return;
-      std::vector<std::string> arguments = runs[index].arguments;
+      std::vector<std::string> arguments = options.arguments;
+      arguments.insert(arguments.end(), runs[index].arguments.begin(), runs[index].arguments.end());
       arguments.insert(arguments.end(), {"--json", "--quiet"});
       const ChildResult child = RunChild(options.program, arguments, options.limits, stop);
       if (child.end == ChildResult::End::kStopped) return;

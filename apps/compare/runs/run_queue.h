@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "apps/compare/runs/run_record.h"
@@ -13,7 +14,8 @@
 namespace latchwork::compare {
 
 struct QueueOptions {
-  std::filesystem::path program;  ///< What makes a run: latchwork itself.
+  std::filesystem::path program;       ///< What makes a run: latchwork itself.
+  std::vector<std::string> arguments;  ///< Before those of the run.
   RunLimits limits;
   unsigned jobs = 1;
   /// Told of each run that ended, one at a time; false ends the work.

@@ -55,6 +55,7 @@ void ReadSummary(const Json& summary, RunRecord& record) {
   record.collisions = summary.value("collisions", std::uint64_t{0});
   record.outcome = OutcomeIn(summary, record.collisions);
   record.message = summary.value("message", "");
+  record.duration_s = summary.value("duration_s", 0.0);
   record.time_s = Measure(summary, "time_s");
   record.distance_m = Measure(summary, "distance_m");
   if (const auto layers = summary.find("layers"); layers != summary.end()) {
@@ -80,7 +81,7 @@ std::optional<Outcome> OutcomeOf(std::string_view name) {
 RunRecord Judge(const PlannedRun& run, const ChildResult& child) {
   RunRecord record;
   record.key = run.key;
-  record.command = fmt::format("latchwork {}", fmt::join(run.arguments, " "));
+  record.command = CommandOf(run);
   record.wall_s = child.wall_seconds;
   record.cpu_s = child.cpu_seconds;
   if (child.end == ChildResult::End::kTimedOut) {
@@ -89,16 +90,18 @@ RunRecord Judge(const PlannedRun& run, const ChildResult& child) {
     return record;
   }
   const Json summary = Json::parse(child.output, nullptr, false);
-  const bool has_summary = summary.is_object() && summary.contains("outcome");
+  const bool has_summary =
+      summary.is_object() && summary.value("outcome", "did not begin") != "did not begin";
   if (child.end == ChildResult::End::kExited && has_summary) {
     ReadSummary(summary, record);
     return record;
   }
   record.outcome =
       child.end == ChildResult::End::kSignalled ? Outcome::kCrashed : Outcome::kInvalid;
-  record.message = child.end == ChildResult::End::kSignalled
-                       ? fmt::format("ended by signal {}", child.code)
-                       : FirstLine(child.errors);
+  record.message =
+      child.end == ChildResult::End::kSignalled
+          ? fmt::format("ended by signal {}", child.code)
+          : FirstLine(summary.is_object() ? summary.value("errors", child.errors) : child.errors);
   if (child.errors.find("bad_alloc") != std::string::npos) record.outcome = Outcome::kCrashed;
   return record;
 }
@@ -121,6 +124,7 @@ std::string ToLine(const RunRecord& record) {
                      {"outcome", Name(record.outcome)},
                      {"message", record.message},
                      {"command", record.command},
+                     {"duration_s", record.duration_s},
                      {"measures", {{"time_s", record.time_s}, {"distance_m", record.distance_m}}},
                      {"collisions", record.collisions},
                      {"layers", layers},

@@ -45,8 +45,9 @@ struct RunRecord {
   RunKey key;
   Outcome outcome = Outcome::kInvalid;
   std::string message;
-  std::string command;  ///< That repeats it.
-  double time_s = 0;    ///< In the world.
+  std::string command;    ///< That repeats it.
+  double time_s = 0;      ///< In the world.
+  double duration_s = 0;  ///< How long it might have lasted there.
   double distance_m = 0;
   std::uint64_t collisions = 0;
   std::vector<LayerRecord> layers;

@@ -2,6 +2,7 @@
 #include "apps/compare/statistics/comparison.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "apps/compare/statistics/holm.h"
 
@@ -11,6 +12,9 @@ namespace {
 double Restricted(const RunScore& run, double limit) {
   return run.reached ? std::min(run.time, limit) : limit;
 }
+
+/// Times are multiples of a tick; the same difference shall not differ in its last bits.
+double Rounded(double seconds) { return std::round(seconds * 1e6) / 1e6; }
 
 double Par2(std::span<const RunScore> runs, double limit) {
   if (runs.empty()) return 0;
@@ -31,7 +35,7 @@ Comparison Compare(std::span<const RunScore> first, std::span<const RunScore> se
   result.pairs = std::min(first.size(), second.size());
   std::vector<double> differences;
   for (std::size_t i = 0; i < result.pairs; ++i) {
-    differences.push_back(Restricted(first[i], limit) - Restricted(second[i], limit));
+    differences.push_back(Rounded(Restricted(first[i], limit) - Restricted(second[i], limit)));
     if (first[i].reached && !second[i].reached) ++result.discordant.only_first;
     if (!first[i].reached && second[i].reached) ++result.discordant.only_second;
   }

@@ -69,8 +69,8 @@ std::size_t PairsForSuccess(double only_first, double only_second, const Demand&
   };
   std::size_t enough = 1;
   while (!suffices(enough)) {
-    enough *= 2;
-    if (enough > kMostPairs) return 0;
+    if (enough == kMostPairs) return 0;
+    enough = std::min(2 * enough, kMostPairs);
   }
   std::size_t too_few = enough / 2;
   while (enough - too_few > 1) {

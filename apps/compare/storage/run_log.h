@@ -2,8 +2,8 @@
 #ifndef LATCHWORK_APPS_COMPARE_STORAGE_RUN_LOG_H_
 #define LATCHWORK_APPS_COMPARE_STORAGE_RUN_LOG_H_
 
+#include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 
@@ -11,22 +11,36 @@
 
 namespace latchwork::compare {
 
-/// The runs that are done, one line each, in the order in which they ended. What was killed while
-/// it wrote leaves at most a torn last line, which is dropped.
+/// The runs that are done, one line each, in the order in which they ended.
+struct LoggedRuns {
+  std::map<RunKey, RunRecord> runs;
+  std::size_t whole_bytes = 0;  ///< What follows is a torn last line.
+  std::string problem;          ///< Empty, or why the log cannot be read.
+};
+
+/// Leaves the file as it is.
+LoggedRuns ReadRunLog(const std::filesystem::path& file);
+
+/// A log that is written to. What was killed while it wrote leaves at most a torn last line, which
+/// is dropped. Nobody else writes to it as long as this object lives.
 class RunLog {
  public:
-  /// Opens or makes the log of an experiment; `problem` says why it cannot.
+  /// Opens or makes the file; problem() says why it cannot.
   explicit RunLog(const std::filesystem::path& file);
+  RunLog(const RunLog&) = delete;
+  RunLog& operator=(const RunLog&) = delete;
+  ~RunLog();
 
-  const std::string& problem() const { return problem_; }
-  const std::map<RunKey, RunRecord>& done() const { return done_; }
+  /// Empty, or what went wrong; then nothing more is added.
+  const std::string& problem() const { return logged_.problem; }
+  const std::map<RunKey, RunRecord>& done() const { return logged_.runs; }
   /// False: it could not be written.
   bool Add(const RunRecord& record);
 
  private:
-  std::string problem_;
-  std::map<RunKey, RunRecord> done_;
-  std::ofstream stream_;
+  std::filesystem::path file_;
+  LoggedRuns logged_;
+  int descriptor_ = -1;
 };
 
 }  // namespace latchwork::compare

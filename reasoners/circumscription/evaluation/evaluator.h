@@ -40,8 +40,8 @@ class Evaluator {
     kRefused,       ///< An attachment cannot be evaluated: see refusal().
   };
 
-  /// With a sink the program is one for grounding: what is found are the atoms that may be true, and
-  /// the sink gets the instances of clauses over them.
+  /// With a sink the program is one for grounding: what is found are the atoms that may be true,
+  /// and the sink gets the instances of clauses over them.
   explicit Evaluator(Program& program, InstanceSink* sink = nullptr)
       : program_(program), sink_(sink) {}
   ~Evaluator() = default;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "reasoners/circumscription/exact/derivation.h"
+#include "reasoners/circumscription/explanation/near_miss.h"
 
 namespace latchwork::circumscription {
 
@@ -127,12 +128,12 @@ void ExactDecider::ListAssumptions(sdk::Decision& decision) const {
   }
 }
 
-std::optional<Explanation> ExactDecider::ExplainDefault(std::size_t assumption) const {
+std::optional<sdk::Explanation> ExactDecider::ExplainAssumption(std::size_t assumption) const {
   const auto defaults = evaluator_.defaults();
   if (searched_ || assumption >= defaults.size()) return std::nullopt;
   const AskedDefault& asked = defaults[assumption];
   const logic::Fact atom = evaluator_.DefaultAtom(asked);
-  Explanation explanation{ToString(atom), asked.contrary != FactTable::kNone, {}, {}};
+  sdk::Explanation explanation{ToString(atom), asked.contrary != FactTable::kNone, {}, {}};
   if (explanation.holds) {
     explanation.derivation = DeriveFact(evaluator_, {asked.relation, asked.contrary}, ports_);
   } else {
@@ -141,9 +142,9 @@ std::optional<Explanation> ExactDecider::ExplainDefault(std::size_t assumption) 
   return explanation;
 }
 
-std::optional<Explanation> ExactDecider::WhyNot(const logic::Atom& pattern) const {
+std::optional<sdk::Explanation> ExactDecider::WhyNot(const logic::Atom& pattern) const {
   if (searched_) return std::nullopt;
-  Explanation explanation{ToString(pattern), false, {}, {}};
+  sdk::Explanation explanation{ToString(pattern), false, {}, {}};
   for (std::size_t i = 0; i < conclusions_.size() && !explanation.holds; ++i) {
     const logic::Fact fact = evaluator_.FactOf(conclusions_[i]);
     if (NameOf(fact) != NameOf(pattern) || (pattern.is_ground() && !(fact == pattern))) continue;

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "latchwork/sdk/explanation.h"
 #include "latchwork/sdk/reasoner.h"
 #include "reasoners/circumscription/evaluation/evaluator.h"
 #include "reasoners/circumscription/exact/compiled_goals.h"
 #include "reasoners/circumscription/exact/search_decider.h"
-#include "reasoners/circumscription/explanation/explanation.h"
 #include "reasoners/circumscription/rules/program.h"
 
 namespace latchwork::circumscription {
@@ -35,9 +35,9 @@ class ExactDecider {
   const std::string& reason() const { return reason_; }
   /// Why the default of an assumption was made, or what retracted it, in the last decision. Nothing
   /// where this needed a search.
-  std::optional<Explanation> ExplainDefault(std::size_t assumption) const;
+  std::optional<sdk::Explanation> ExplainAssumption(std::size_t assumption) const;
   /// Why no instance of `pattern` is concluded, or how the first one is; as above.
-  std::optional<Explanation> WhyNot(const logic::Atom& pattern) const;
+  std::optional<sdk::Explanation> WhyNot(const logic::Atom& pattern) const;
   /// Of the last decision that was filled.
   sdk::Derivation Explain(const sdk::Decision& decision, std::size_t conclusion) const;
 

@@ -27,7 +27,7 @@ class Attempt {
         values_(clause_.variable_names.size()) {}
 
   /// Nothing: the clause does not conclude anything like `target`.
-  std::optional<NearMiss> Follow(const logic::Atom& target) {
+  std::optional<sdk::NearMiss> Follow(const logic::Atom& target) {
     const Literal& head = clause_.literals[rule_.heads.front().literal];
     if (NameOf(head.atom) != NameOf(target)) return std::nullopt;
     for (std::size_t i = 0; i < target.arity(); ++i) {
@@ -155,23 +155,23 @@ class Attempt {
   const logic::Arithmetic& arithmetic_;
   std::vector<std::optional<Term>> values_;
   std::vector<const Step*> steps_;
-  NearMiss miss_;
+  sdk::NearMiss miss_;
   std::size_t visits_ = 0;
 };
 
 }  // namespace
 
-std::vector<NearMiss> NearMissesOf(const logic::Atom& target, const Evaluator& evaluator,
-                                   logic::SymbolTable& symbols) {
+std::vector<sdk::NearMiss> NearMissesOf(const logic::Atom& target, const Evaluator& evaluator,
+                                        logic::SymbolTable& symbols) {
   const logic::Arithmetic arithmetic(symbols);
-  std::vector<NearMiss> misses;
+  std::vector<sdk::NearMiss> misses;
   for (const Rule& rule : evaluator.program().rules()) {
     if (rule.heads.empty()) continue;
     if (auto miss = Attempt(rule, evaluator, arithmetic).Follow(target)) {
       misses.push_back(*std::move(miss));
     }
   }
-  std::stable_sort(misses.begin(), misses.end(), [](const NearMiss& a, const NearMiss& b) {
+  std::stable_sort(misses.begin(), misses.end(), [](const auto& a, const auto& b) {
     return a.premises - a.met < b.premises - b.met;
   });
   return misses;

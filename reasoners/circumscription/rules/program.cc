@@ -191,8 +191,8 @@ bool Program::DemoteUnstratified() {
 }
 
 /// Rules go to the first stratum in which they conclude something; constraints to the end, or in
-/// grounding, where what attachments ask for heeds them, to the first stratum after which they can be
-/// looked at.
+/// grounding, where what attachments ask for heeds them, to the first stratum after which they can
+/// be looked at.
 void Program::Arrange() {
   constraints_.clear();
   for (std::size_t i = 0; i < rules_.size(); ++i) {

@@ -21,7 +21,7 @@ SatSolver::SatSolver(int variables) : backend_(std::make_unique<Backend>()), var
   solver.set("quiet", 1);
   // Models with few true atoms are near the minimal ones.
   solver.set("phase", 0);
-  solver.set("forcephase", 1);
+  solver.set("forcephase", 0);
   // Short calls, many of them: what prepares for long ones costs more than it saves.
   solver.set("lucky", 0);
   solver.set("walk", 0);

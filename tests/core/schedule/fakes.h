@@ -76,10 +76,12 @@ class FakeReasoner : public sdk::Reasoner {
   sdk::Body body;
   std::size_t admit_calls = 0;
   std::size_t decide_calls = 0;
-  bool takes = false;  ///< Undecided latch facts.
+  bool takes = false;      ///< Undecided latch facts.
+  bool remembers = false;  ///< Its decisions depend on earlier ones.
 
   std::string_view language() const override { return "fake"; }
   bool takes_undecided() const override { return takes; }
+  bool keeps_memory() const override { return remembers; }
   std::span<const sdk::ParameterSpec> parameters() const override { return {}; }
   logic::Diagnostics Load(const sdk::Body& given, const sdk::Parameters&,
                           logic::SymbolTable&) override;

@@ -100,6 +100,28 @@ TEST_F(LatchSetTest, VersionChangesOnlyWithTheContent) {
   EXPECT_EQ(Held(0), "echo(1.0)");
 }
 
+/// The prover, for one, keeps what a latch of the same version held.
+TEST_F(LatchSetTest, HiddenLatch_HasAnotherVersionThanItsContent) {
+  Offer(0, {Echo(1)}, 0);
+  Offer(1, {Radius(1)}, 0);
+  Offer(2, {Of("object", "o")}, 0);
+  Settle(0);
+  std::vector<std::uint64_t> versions;
+  reasoner.admit = [&](std::span<const sdk::Latch> shown, std::size_t port, auto, auto&) {
+    if (port != 0) return;
+    for (const sdk::Latch& latch : shown) versions.push_back(latch.version);
+  };
+  Offer(0, {Echo(2)}, 1);
+  Offer(1, {Radius(2)}, 1);
+  Settle(1);
+  ASSERT_EQ(versions.size(), 4U);
+  EXPECT_GT(versions[1], 2U);
+  EXPECT_GT(versions[2], 2U);
+  EXPECT_EQ(Version(1), 2U);
+  EXPECT_EQ(Version(2), 1U);
+  EXPECT_EQ(Held(2), "object(o)");
+}
+
 TEST_F(LatchSetTest, UndeclaredPredicatesStayBehindSilently) {
   Offer(0, {Echo(1), Radius(2)}, 0);
   Settle(0);

@@ -127,6 +127,57 @@ TEST_F(UndecidedTest, MoreStatesThanCanBeLookedAt_AreUnknown) {
   EXPECT_THAT(said, IsEmpty());
 }
 
+TEST_F(UndecidedTest, ReasonerWithMemory_SeesDecidedFactsOnlyAndOnce) {
+  fake.reasoner(0).remembers = true;
+  Run(Transfer::kOpen);
+  EXPECT_THAT(shown, ElementsAre(""));
+}
+
+TEST_F(UndecidedTest, BudgetThatRunsOutBetweenStates_IsUnknownAndNoFault) {
+  testing::Recorder recorder;
+  fake.reasoner(0).decide = [this](std::span<const sdk::Latch>, const sdk::Budget& budget,
+                                   sdk::Decision& decision) {
+    fake.Conclude(decision, 0, fake.Fact("slow"));
+    decision.statistics.inferences = budget.inferences;
+  };
+  fake.Wire({1, 0}, {0, 0});
+  LockstepOptions options;
+  options.observers = {&recorder};
+  const auto lockstep = fake.Start(options);
+  lockstep->Tick();
+  lockstep->Tick();
+  EXPECT_THAT(recorder.faults, IsEmpty());
+  EXPECT_EQ(fake.reasoner(0).decide_calls, 2U);
+  EXPECT_THAT(recorder.decided, ::testing::Contains("1 l0 unknown: []"));
+}
+
+TEST_F(UndecidedTest, GoalThatAStateLeavesUndecided_StaysUndecidedInAnyState) {
+  fake.reasoner(0).decide = [this](std::span<const sdk::Latch> latches, const auto&,
+                                   sdk::Decision& decision) {
+    decision.status = sdk::Status::kUnknown;
+    if (latches[0].facts.size() == 1) {
+      fake.Conclude(decision, 0, fake.Fact("slow"));
+    } else {
+      decision.undecided = {{1, fake.Fact("free"), {}}};
+    }
+  };
+  struct Watch : RunObserver {
+    bool OnTick(const TickRecord& record) override {
+      if (record.tick == 1) decision = *record.decisions[0].decision;
+      return true;
+    }
+    sdk::Decision decision;
+  } watch;
+  fake.Wire({1, 0}, {0, 0});
+  LockstepOptions options;
+  options.observers = {&watch};
+  const auto lockstep = fake.Start(options);
+  lockstep->Tick();
+  lockstep->Tick();
+  EXPECT_EQ(watch.decision.undecided.size(), 2U);
+  EXPECT_THAT(watch.decision.states, IsEmpty());
+}
+
 TEST_F(UndecidedTest, StateOfAnUnknownGoal_IsAFault) {
   testing::Recorder recorder;
   fake.reasoner(1).decide = [](auto, const auto&, sdk::Decision& decision) {

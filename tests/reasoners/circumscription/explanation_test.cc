@@ -36,7 +36,7 @@ class ExplanationTest : public ::testing::Test {
 TEST_F(ExplanationTest, DefaultsAreMadeForWhatClausesLack) {
   mind_.Latch(1, {"object(box)", "distance(box, 0.75)"});
   mind_.Decide();
-  const auto explanation = mind_.reasoner.ExplainDefault(0);
+  const auto explanation = mind_.reasoner.ExplainAssumption(0);
   ASSERT_TRUE(explanation.has_value());
   EXPECT_EQ(ToText(*explanation),
             "nothing concludes halt_robot:\n"
@@ -52,7 +52,7 @@ TEST_F(ExplanationTest, DefaultsAreMadeForWhatClausesLack) {
 TEST_F(ExplanationTest, RetractionsNameTheFactsAndPortsBehindThem) {
   mind_.Latch(1, {"object(box)", "distance(box, 0.25)"});
   mind_.Decide();
-  const auto explanation = mind_.reasoner.ExplainDefault(0);
+  const auto explanation = mind_.reasoner.ExplainAssumption(0);
   ASSERT_TRUE(explanation.has_value());
   EXPECT_EQ(ToText(*explanation),
             "halt_robot holds:\n"
@@ -89,7 +89,7 @@ TEST_F(ExplanationTest, BoundedDecisionsHaveNone) {
   mind.Load();
   mind.Latch(0, {"speed(0.3)"});
   mind.Decide();
-  EXPECT_FALSE(mind.reasoner.ExplainDefault(0).has_value());
+  EXPECT_FALSE(mind.reasoner.ExplainAssumption(0).has_value());
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 namespace latchwork::sdk {
 
 /// Raised with every change of a header in sdk/ or logic/ that old plugins would not survive.
-inline constexpr std::uint32_t kAbi = 3;
+inline constexpr std::uint32_t kAbi = 4;
 inline constexpr std::uint32_t kPluginMagic = 0x4c57504cU;  // "LPWL" in memory
 
 enum class PluginKind : std::uint32_t { kLayer = 1, kReasoner = 2, kWorld = 3 };

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@
 #include "latchwork/sdk/attachment.h"
 #include "latchwork/sdk/contract.h"
 #include "latchwork/sdk/decision.h"
+#include "latchwork/sdk/explanation.h"
 #include "latchwork/sdk/parameters.h"
 #include "latchwork/sdk/undecided.h"
 
@@ -83,6 +85,9 @@ class Reasoner {
   /// Whether Decide looks at undecided latch facts itself. If not, it is called once for each state
   /// that they may be in, with latches that hold decided facts only.
   virtual bool takes_undecided() const { return false; }
+  /// Whether a decision depends on earlier ones. Then undecided facts are left out instead: what
+  /// may not hold must leave no trace.
+  virtual bool keeps_memory() const { return false; }
   virtual std::span<const ParameterSpec> parameters() const = 0;
 
   /// Reads and compiles the body. On diagnostics nothing is loaded. `symbols` outlives the
@@ -111,6 +116,13 @@ class Reasoner {
   /// How a conclusion of the last decision came about; valid until the next Decide. May search
   /// again.
   virtual Derivation Explain(std::size_t conclusion) = 0;
+  /// Why an assumption of the last decision was made, or which facts of which latches retracted it.
+  /// Valid and allowed as Explain; nothing from a reasoner that keeps no such reasons.
+  virtual std::optional<Explanation> ExplainAssumption(std::size_t /*assumption*/) {
+    return std::nullopt;
+  }
+  /// Why no instance of an atom was concluded in the last decision, or how one was.
+  virtual std::optional<Explanation> WhyNot(const logic::Atom& /*pattern*/) { return std::nullopt; }
 };
 
 }  // namespace latchwork::sdk

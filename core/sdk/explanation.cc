@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reasoners/circumscription/explanation/explanation.h"
+#include "latchwork/sdk/explanation.h"
 
 #include <fmt/format.h>
 
-namespace latchwork::circumscription {
+namespace latchwork::sdk {
 namespace {
 
-using Kind = sdk::DerivationStep::Kind;
+using Kind = DerivationStep::Kind;
 
 std::string_view NameOf(Kind kind) {
   switch (kind) {
@@ -39,14 +39,19 @@ std::string Quote(std::string_view text) {
 
 }  // namespace
 
+std::string ToText(const Derivation& derivation) {
+  std::string text;
+  for (const DerivationStep& step : derivation.steps) {
+    text += fmt::format("  {}  [{} {}]\n", step.conclusion, NameOf(step.kind), step.source);
+  }
+  return text;
+}
+
 std::string ToText(const Explanation& explanation) {
   std::string text;
   if (explanation.holds) {
     text = fmt::format("{} holds:\n", explanation.subject);
-    for (const sdk::DerivationStep& step : explanation.derivation.steps) {
-      text += fmt::format("  {}  [{} {}]\n", step.conclusion, NameOf(step.kind), step.source);
-    }
-    return text;
+    return text + ToText(explanation.derivation);
   }
   text = fmt::format("nothing concludes {}{}\n", explanation.subject,
                      explanation.misses.empty() ? ", nor could" : ":");
@@ -61,7 +66,7 @@ std::string ToJson(const Explanation& explanation) {
   std::string json = fmt::format(R"({{"subject":{},"holds":{},"{}":[)", Quote(explanation.subject),
                                  explanation.holds, explanation.holds ? "because" : "misses");
   std::string_view separator;
-  for (const sdk::DerivationStep& step : explanation.derivation.steps) {
+  for (const DerivationStep& step : explanation.derivation.steps) {
     json +=
         fmt::format(R"({}{{"conclusion":{},"kind":"{}","source":{},"line":{}}})", separator,
                     Quote(step.conclusion), NameOf(step.kind), Quote(step.source), step.place.line);
@@ -76,4 +81,4 @@ std::string ToJson(const Explanation& explanation) {
   return json + "]}";
 }
 
-}  // namespace latchwork::circumscription
+}  // namespace latchwork::sdk

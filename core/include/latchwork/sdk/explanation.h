@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LATCHWORK_REASONERS_CIRCUMSCRIPTION_EXPLANATION_EXPLANATION_H_
-#define LATCHWORK_REASONERS_CIRCUMSCRIPTION_EXPLANATION_EXPLANATION_H_
+#ifndef LATCHWORK_SDK_EXPLANATION_H_
+#define LATCHWORK_SDK_EXPLANATION_H_
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "latchwork/logic/clause.h"
 #include "latchwork/sdk/decision.h"
-#include "reasoners/circumscription/explanation/near_miss.h"
 
-namespace latchwork::circumscription {
+namespace latchwork::sdk {
+
+/// How near a clause came to concluding something, and what it lacks.
+struct NearMiss {
+  std::string clause;
+  logic::SourcePlace place;
+  std::size_t met = 0;       ///< Premises that hold together.
+  std::size_t premises = 0;  ///< All of them.
+  std::string lacks;  ///< The next one, as far as it is known: `near(obj(3))`, `$less(2, 1)`.
+};
 
 /// Why something is not concluded (a goal; or the contrary of a default, which therefore was made),
 /// or, where it is, how: then a default is retracted, and the derivation names the facts of
@@ -17,15 +27,16 @@ struct Explanation {
   std::string subject;  ///< An atom in TPTP syntax.
   bool holds = false;
   std::vector<NearMiss> misses;  ///< Where it does not hold: the nearest first.
-  sdk::Derivation derivation;    ///< Where it holds.
+  Derivation derivation;         ///< Where it holds.
 };
 
-/// For people, one line each.
+/// For people, a line for each step.
+std::string ToText(const Derivation& derivation);
 std::string ToText(const Explanation& explanation);
 /// {"subject": ..., "holds": ..., "because": [{"conclusion", "kind", "source", "line"}]} or
 /// "misses" in place of "because": [{"clause", "line", "met", "premises", "lacks"}].
 std::string ToJson(const Explanation& explanation);
 
-}  // namespace latchwork::circumscription
+}  // namespace latchwork::sdk
 
-#endif  // LATCHWORK_REASONERS_CIRCUMSCRIPTION_EXPLANATION_EXPLANATION_H_
+#endif  // LATCHWORK_SDK_EXPLANATION_H_

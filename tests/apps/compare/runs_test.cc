@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <csignal>
+#include <fstream>
+#include <string>
+
+#include "apps/compare/report/findings.h"
+#include "apps/compare/runs/child_process.h"
+#include "apps/compare/runs/run_record.h"
+#include "apps/compare/storage/run_log.h"
+#include "tests/temporary_folder.h"
+
+namespace latchwork::compare {
+namespace {
+
+using End = ChildResult::End;
+
+ChildResult Shell(const std::string& script, const RunLimits& limits = {}) {
+  const std::atomic<bool> stop = false;
+  return RunChild("/bin/sh", {"-c", script}, limits, stop);
+}
+
+TEST(ChildProcessTest, KeepsOutputErrorsAndCode) {
+  const ChildResult result = Shell("echo out; echo err >&2; exit 3");
+  EXPECT_EQ(result.end, End::kExited);
+  EXPECT_EQ(result.code, 3);
+  EXPECT_EQ(result.output, "out\n");
+  EXPECT_EQ(result.errors, "err\n");
+}
+
+TEST(ChildProcessTest, Signal_IsToldFromACode) {
+  const ChildResult result = Shell("kill -SEGV $$");
+  EXPECT_EQ(result.end, End::kSignalled);
+  EXPECT_EQ(result.code, SIGSEGV);
+}
+
+TEST(ChildProcessTest, WallTime_EndsTheChildAndWhatItStarted) {
+  const ChildResult result = Shell("cat /dev/zero >/dev/null & wait", {0.05, 4096});
+  EXPECT_EQ(result.end, End::kTimedOut);
+}
+
+TEST(ChildProcessTest, WallTime_EndsAChildThatClosedItsOutput) {
+  const ChildResult result = Shell("exec cat /dev/zero >/dev/null 2>&1", {0.05, 4096});
+  EXPECT_EQ(result.end, End::kTimedOut);
+}
+
+TEST(ChildProcessTest, Stop_EndsIt) {
+  const std::atomic<bool> stop = true;
+  EXPECT_EQ(RunChild("/bin/cat", {"/dev/zero"}, {}, stop).end, End::kStopped);
+}
+
+TEST(ChildProcessTest, EndlessOutput_IsCutNotKept) {
+  const ChildResult result = Shell("head -c 20000000 /dev/zero");
+  EXPECT_EQ(result.end, End::kExited);
+  EXPECT_LE(result.output.size(), (16U << 20U) + 4096U);
+}
+
+TEST(ChildProcessTest, MissingProgram_IsNotStarted) {
+  const std::atomic<bool> stop = false;
+  EXPECT_EQ(RunChild("/no/such/program", {}, {}, stop).end, End::kNotStarted);
+}
+
+const PlannedRun kRun = {{"floor", "pttp", 7}, {"run", "a file.xml", "--seed", "7"}};
+
+RunRecord JudgeOutput(const std::string& output, const std::string& errors = "") {
+  ChildResult child;
+  child.end = End::kExited;
+  child.output = output;
+  child.errors = errors;
+  return Judge(kRun, child);
+}
+
+TEST(RunRecordTest, OutcomesOfSummaries) {
+  EXPECT_EQ(JudgeOutput(R"({"outcome":"reached","collisions":0})").outcome, Outcome::kReached);
+  EXPECT_EQ(JudgeOutput(R"({"outcome":"reached","collisions":1})").outcome, Outcome::kCollision);
+  EXPECT_EQ(JudgeOutput(R"({"outcome":"not reached"})").outcome, Outcome::kNotReached);
+  EXPECT_EQ(JudgeOutput(R"({"outcome":"failed"})").outcome, Outcome::kFailed);
+}
+
+TEST(RunRecordTest, RunThatDidNotBegin_IsInvalidAndSaysWhy) {
+  const RunRecord record =
+      JudgeOutput(R"({"outcome":"did not begin","measures":{},"errors":"a.xml:1:2: no\n  hint"})");
+  EXPECT_EQ(record.outcome, Outcome::kInvalid);
+  EXPECT_EQ(record.message, "a.xml:1:2: no");
+}
+
+TEST(RunRecordTest, ProcessesThatDoNotEndWell) {
+  ChildResult child;
+  child.end = End::kSignalled;
+  child.code = SIGSEGV;
+  EXPECT_EQ(Judge(kRun, child).outcome, Outcome::kCrashed);
+  child.end = End::kTimedOut;
+  EXPECT_EQ(Judge(kRun, child).outcome, Outcome::kTimedOut);
+  EXPECT_EQ(JudgeOutput("", "internal error: std::bad_alloc").outcome, Outcome::kCrashed);
+}
+
+TEST(RunRecordTest, CommandIsQuotedForAShell) {
+  EXPECT_EQ(JudgeOutput("{}").command, "latchwork run 'a file.xml' --seed 7");
+}
+
+RunRecord Record(const std::string& contender, std::uint64_t seed, Outcome outcome, double time_s) {
+  RunRecord record;
+  record.key = {"floor", contender, seed};
+  record.outcome = outcome;
+  record.message = "a \"b\"";
+  record.command = "latchwork run";
+  record.time_s = time_s;
+  record.duration_s = 600;
+  record.layers = {{"avoid", "pttp", 3, 1.5, 1, 2, 0, 10, 20}};
+  return record;
+}
+
+TEST(RunRecordTest, LineKeepsEverything) {
+  const RunRecord record = Record("pttp", 3, Outcome::kTimedOut, 12.3);
+  EXPECT_EQ(FromLine(ToLine(record)), record);
+  EXPECT_FALSE(FromLine("[]"));
+  EXPECT_FALSE(FromLine("{}"));
+  EXPECT_FALSE(FromLine(ToLine(record).substr(0, 50)));
+}
+
+TEST(RunLogTest, TwoWritersAreRefused) {
+  const test::TemporaryFolder folder;
+  RunLog first(folder.path() / "runs.jsonl");
+  EXPECT_EQ(first.problem(), "");
+  EXPECT_TRUE(first.Add(Record("pttp", 1, Outcome::kReached, 1)));
+  EXPECT_THAT(RunLog(folder.path() / "runs.jsonl").problem(),
+              ::testing::HasSubstr("another process"));
+}
+
+TEST(RunLogTest, ReadingLeavesATornLineWhereItIs) {
+  const test::TemporaryFolder folder;
+  const std::string line = ToLine(Record("pttp", 1, Outcome::kReached, 1)) + "\n";
+  const auto file = folder.Write("runs.jsonl", line + line.substr(0, 20));
+  EXPECT_EQ(ReadRunLog(file).runs.size(), 1U);
+  EXPECT_EQ(std::filesystem::file_size(file), line.size() + 20);
+}
+
+TEST(FindingsTest, AgentThatAlwaysFails_IsSlowerAndReachesLess) {
+  Experiment experiment;
+  experiment.last_seed = 12;
+  experiment.scenarios = {{"floor", "floor.xml"}};
+  experiment.contenders = {{"good", {}, {}}, {"bad", {}, {}}};
+  std::map<RunKey, RunRecord> records;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    for (const RunRecord& record :
+         {Record("good", seed, Outcome::kReached, 40), Record("bad", seed, Outcome::kCrashed, 0)}) {
+      records.emplace(record.key, record);
+    }
+  }
+  const Findings findings = Evaluate(experiment, records);
+  ASSERT_EQ(findings.duels.size(), 1U);
+  EXPECT_EQ(OnSuccess(findings.duels[0].comparison, 0.05), Verdict::kFirstBetter);
+  EXPECT_EQ(OnTime(findings.duels[0].comparison, 0.05), Verdict::kFirstBetter);
+  EXPECT_EQ(findings.failures.size(), 12U);
+}
+
+TEST(RunPlanTest, AgentsOfASeedStayInOneShard) {
+  Experiment experiment;
+  experiment.last_seed = 4;
+  experiment.scenarios = {{"a", "a.xml"}, {"b", "b.xml"}};
+  experiment.contenders = {{"one", {}, {}}, {"two", {}, {}}};
+  for (const PlannedRun& run : PlanRuns(experiment, {1, 2})) EXPECT_EQ(run.key.scenario, "b");
+  EXPECT_EQ(PlanRuns(experiment, {0, 2}).size() + PlanRuns(experiment, {1, 2}).size(), 16U);
+}
+
+}  // namespace
+}  // namespace latchwork::compare
