@@ -36,6 +36,7 @@ void AddProve(CLI::App& app, Context& context);
 void AddCheckProof(CLI::App& app, Context& context);
 void AddEntail(CLI::App& app, Context& context);
 void AddSemantics(CLI::App& app, Context& context);
+void AddExplain(CLI::App& app, Context& context);
 void AddCompare(CLI::App& app, Context& context);
 void AddReplay(CLI::App& app, Context& context);
 void AddIcarus(CLI::App& app, Context& context);

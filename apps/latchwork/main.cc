@@ -70,6 +70,7 @@ int Main(int argc, char** argv) {
   AddCheckProof(app, context);
   AddEntail(app, context);
   AddSemantics(app, context);
+  AddExplain(app, context);
   AddCompare(app, context);
   AddReplay(app, context);
   AddIcarus(app, context);

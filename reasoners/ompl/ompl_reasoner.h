@@ -18,6 +18,7 @@ namespace latchwork::planning {
 class OmplReasoner final : public sdk::Reasoner {
  public:
   std::string_view language() const override { return ""; }
+  bool keeps_memory() const override { return true; }
   std::span<const sdk::ParameterSpec> parameters() const override;
 
   logic::Diagnostics Load(const sdk::Body& body, const sdk::Parameters& parameters,
