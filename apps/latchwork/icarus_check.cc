@@ -12,6 +12,11 @@
 #include <vector>
 
 #include "apps/latchwork/icarus_command.h"
+#include "latchwork/logic/diagnostic.h"
+#include "latchwork/plugin/plugin_search.h"
+#include "latchwork/plugin/registry.h"
+#include "latchwork/sdk/contract_body.h"
+#include "reasoners/icarus/body/layer_check.h"
 
 namespace latchwork::app {
 namespace {
@@ -22,6 +27,7 @@ struct Settings {
   std::vector<std::string> files;
   icarus::CheckOptions options;
   std::string explain;
+  std::string layer;
   bool warnings_are_errors = false;
   bool json = false;
 };
@@ -52,11 +58,48 @@ void PrintSummary(const std::string& file, const icarus::Program& program) {
              program.facts.size() == 1 ? "" : "s");
 }
 
+/// The layer whose body the programs are to be, with its parameters as they are by default.
+class LayerToFulfil {
+ public:
+  LayerToFulfil(const std::string& name, const Context& context)
+      : registry_(plugin::MakeSearchPath(context.plugin_folders, context.executable)),
+        layer_(registry_.MakeLayer(name)) {
+    if (!layer_.object) return;
+    const auto parameters = sdk::Parameters::Defaults(layer_.object->parameters());
+    const std::vector<std::string> languages = layer_.object->languages();
+    if (std::find(languages.begin(), languages.end(), "icarus") != languages.end()) {
+      body_ = layer_.object->MakeBody(
+          "icarus", parameters, registry_.DataFolder(sdk::PluginKind::kLayer, name), symbols_);
+    } else {
+      body_ = sdk::ContractBody(layer_.object->contract(), "icarus", symbols_);
+      body_.facts = sdk::ParameterFacts(parameters, symbols_);
+    }
+  }
+
+  /// Why there is no such layer; empty: there is.
+  const std::string& error() const { return layer_.error; }
+  icarus::Findings Check(const icarus::Program& program) {
+    return icarus::CheckInLayer(program, body_, symbols_);
+  }
+
+ private:
+  logic::SymbolTable symbols_;
+  plugin::Registry registry_;
+  plugin::Made<sdk::Layer> layer_;
+  sdk::Body body_;
+};
+
 /// Whether the file may be used.
-bool CheckFile(const Settings& settings, const std::string& file, Json& list) {
+bool CheckFile(const Settings& settings, const std::string& file, LayerToFulfil* layer,
+               Json& list) {
   std::optional<std::string> text = ReadProgramText(file);
   if (!text) return false;
-  const icarus::ProgramFile read = icarus::ReadProgram(*std::move(text), file, settings.options);
+  icarus::ProgramFile read = icarus::ReadProgram(*std::move(text), file, settings.options);
+  if (layer != nullptr && !icarus::HasErrors(read.findings)) {
+    const icarus::Findings more = layer->Check(read.program);
+    read.findings.insert(read.findings.end(), more.begin(), more.end());
+    icarus::Settle(read.program.source, read.findings);
+  }
   const bool missing_top =
       !settings.options.top.empty() && read.program.Find(settings.options.top) == icarus::kNoSkill;
   const bool bad = missing_top || icarus::HasErrors(read.findings) ||
@@ -88,16 +131,22 @@ int Explain(const std::string& wanted) {
   return kDone;
 }
 
-int Run(const Settings& settings) {
+int Run(const Settings& settings, const Context& context) {
   if (!settings.explain.empty()) return Explain(settings.explain);
   if (settings.files.empty()) {
     fmt::print(stderr, "latchwork: name at least one program\n");
     return kUsage;
   }
+  std::optional<LayerToFulfil> layer;
+  if (!settings.layer.empty()) layer.emplace(settings.layer, context);
+  if (layer && !layer->error().empty()) {
+    fmt::print(stderr, "latchwork: {}\n", layer->error());
+    return kPluginFailure;
+  }
   bool all_good = true;
   Json list = Json::array();
   for (const std::string& file : settings.files) {
-    all_good = CheckFile(settings, file, list) && all_good;
+    all_good = CheckFile(settings, file, layer ? &*layer : nullptr, list) && all_good;
   }
   if (settings.json) {
     fmt::print("{}\n", list.dump(2, ' ', false, Json::error_handler_t::replace));
@@ -115,12 +164,15 @@ void AddIcarusCheck(CLI::App& icarus, Context& context) {
   command->add_option("--top", settings->options.top,
                       "The skill that the program is started with; what it does not lead to is "
                       "reported");
+  command->add_option("--layer", settings->layer,
+                      "The layer plugin whose body the programs are: its contract, attachments and "
+                      "parameters are checked, too");
   command->add_flag("--strict", settings->options.strict,
                     "Fewer arguments than parameters are an error");
   command->add_flag("--werror", settings->warnings_are_errors, "Warnings make the exit code 3");
   command->add_flag("--json", settings->json, "Print the findings as a JSON list");
   command->add_option("--explain", settings->explain, "Say what a code, such as I015, means");
-  command->callback([settings, &context] { context.exit_code = Run(*settings); });
+  command->callback([settings, &context] { context.exit_code = Run(*settings, context); });
 }
 
 }  // namespace latchwork::app

@@ -161,7 +161,9 @@ const icarus::CycleResult& IcarusDebugger::Step() {
 
 void IcarusDebugger::OnEvent(const icarus::Event& event) {
   cut_ = cut_ || entries_.size() >= kMostEvents;
-  if (describer_ && !cut_) entries_.push_back(describer_->Describe(event));
+  if (!describer_ || cut_) return;
+  entries_.push_back(describer_->Describe(event));
+  if (observer_) observer_(entries_.back());
 }
 
 std::optional<icarus::ScriptCycle> IcarusDebugger::ReadItem(const std::string& item,

@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/latchwork/icarus_session.h"
@@ -29,6 +31,11 @@ class IcarusDebugger : private icarus::EventSink {
   /// Makes this call the top; else says what is wrong with it.
   std::optional<std::string> SetTop(const std::string& call);
   const std::string& top() const { return top_text_; }
+
+  /// Is told of each event while its cycle is under way, and the cycle waits for it.
+  void SetObserver(std::function<void(const icarus::TraceEntry&)> observer) {
+    observer_ = std::move(observer);
+  }
 
   /// One cycle of the script, or, after its end, in the world as it is.
   const icarus::CycleResult& Step();
@@ -54,6 +61,8 @@ class IcarusDebugger : private icarus::EventSink {
   std::vector<std::string> Memory(const std::optional<icarus::Value>& pattern) const;
   const icarus::Program& program() const { return file_->program; }
   const icarus::NamePool& names() const { return names_; }
+  /// Of the cycle that is under way, else of the last one.
+  std::uint64_t cycle() const { return interpreter_->cycle(); }
 
  private:
   void OnEvent(const icarus::Event& event) override;
@@ -80,6 +89,7 @@ class IcarusDebugger : private icarus::EventSink {
   bool cut_ = false;
   const icarus::CycleResult* result_ = nullptr;
   std::vector<icarus::TraceEntry> entries_;
+  std::function<void(const icarus::TraceEntry&)> observer_;
   std::optional<icarus::EventDescriber> describer_;
 };
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "apps/latchwork/icarus_command.h"
+#include "apps/latchwork/icarus_trace_json.h"
 #include "reasoners/icarus/recognition/recogniser.h"
 
 namespace latchwork::app {
@@ -97,8 +98,17 @@ void PrintJson(const std::vector<Candidate>& candidates) {
   }
 }
 
+/// A script, as it is or made of a trace; nothing, with a message, when it cannot be read.
+std::optional<std::string> ReadRecording(const std::string& file) {
+  std::optional<std::string> text = ReadProgramText(file);
+  if (!text || !text->starts_with('{')) return text;
+  std::optional<RecordedTrace> trace = ReadTrace(*text, file, true);
+  if (!trace) return std::nullopt;
+  return std::move(trace->script);
+}
+
 int Recognise(const Settings& settings) {
-  const std::optional<std::string> recording = ReadProgramText(settings.recording);
+  const std::optional<std::string> recording = ReadRecording(settings.recording);
   if (!recording) return kInvalidInput;
   std::vector<Candidate> candidates;
   for (const std::string& program : settings.programs) {
@@ -121,7 +131,8 @@ void AddIcarusRecognise(CLI::App& icarus, Context& context) {
   const auto settings = std::make_shared<Settings>();
   command
       ->add_option("RECORDING", settings->recording,
-                   "World script whose (expect ...) says what was done in each cycle")
+                   "World script whose (expect ...) says what was done in each cycle, or a trace "
+                   "that 'icarus trace --json' printed")
       ->required();
   command->add_option("PROGRAM", settings->programs, "Programs that have the plans")->required();
   command->add_option("--top", settings->tops, "A plan: \"(Skill argument ...)\"; may be repeated")

@@ -27,6 +27,21 @@ bool ReadLine(std::string& line) {
   return next == '\n' || !line.empty();
 }
 
+/// Standard input and output.
+class Console final : public IcarusConsole {
+ public:
+  explicit Console(bool prompts) : prompts_(prompts) {}
+
+  bool Ask(const std::string& answer, std::string& line) override {
+    fmt::print("{}{}", answer, prompts_ ? "> " : "");
+    std::fflush(stdout);
+    return ReadLine(line);
+  }
+
+ private:
+  const bool prompts_;
+};
+
 int Run(const IcarusSettings& settings) {
   const auto debugger = std::make_unique<IcarusDebugger>(settings);
   if (settings.program == "-") {
@@ -34,19 +49,18 @@ int Run(const IcarusSettings& settings) {
     return kUsage;
   }
   if (!debugger->Open()) return kInvalidInput;
-  IcarusRepl repl(*debugger);
   const bool prompts = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
+  Console console(prompts);
+  IcarusRepl repl(*debugger, console);
   if (prompts) fmt::print("{}: 'help' lists the commands\n", settings.program);
   std::string line;
-  while (true) {
-    if (prompts) fmt::print("> ");
-    std::fflush(stdout);
-    if (!ReadLine(line)) break;
-    std::string out;
-    const bool going = repl.Do(line, out);
-    fmt::print("{}", out);
-    if (!going) break;
+  std::string out;
+  bool going = true;
+  while (going && console.Ask(out, line)) {
+    out.clear();
+    going = repl.Do(line, out);
   }
+  if (!going) fmt::print("{}", out);
   return kDone;
 }
 

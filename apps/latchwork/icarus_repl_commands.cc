@@ -78,12 +78,14 @@ std::string UnknownSkill(const std::string& name, const icarus::Program& program
 }  // namespace
 
 std::span<const IcarusRepl::Command> IcarusRepl::Commands() {
-  static constexpr std::array<Command, 16> kCommands = {{
+  static constexpr std::array<Command, 17> kCommands = {{
       {"step", "step [N]", "run the next cycle, or N", &IcarusRepl::StepCommand},
       {"run", "run [N]", "run to the end of the script, or N cycles, or to a break",
        &IcarusRepl::RunCommand},
       {"break", "break [SKILL | act {F ..} | fact (F ..)]",
        "stop after a cycle that calls the skill, chooses the act or gets the fact; or list",
+       &IcarusRepl::BreakCommand},
+      {"break", "break in SKILL", "stop within a cycle, where the skill is called",
        &IcarusRepl::BreakCommand},
       {"delete", "delete [N]", "delete break N, or all", &IcarusRepl::DeleteCommand},
       {"watch", "watch [(F ..) | off]", "tell which facts come and go; or list, or end it",
@@ -111,12 +113,13 @@ std::span<const IcarusRepl::Command> IcarusRepl::Commands() {
 
 bool IcarusRepl::Do(std::string_view line, std::string& out) {
   const auto [word, rest] = FirstWord(Trimmed(line));
-  if (word == "quit" || word == "exit") return false;
+  if (word == "quit" || word == "exit") ends_ = true;
+  if (ends_) return false;
   if (word.empty() && rest.empty()) return true;
   for (const Command& command : Commands()) {
     if (command.name != word) continue;
     (this->*command.act)(rest, out);
-    return true;
+    return !ends_;
   }
   std::vector<std::string> known = {"quit"};
   for (const Command& command : Commands()) known.emplace_back(command.name);
@@ -143,7 +146,10 @@ bool IcarusRepl::HasTop(std::string& out) const {
 const IcarusRepl::Breakpoint* IcarusRepl::Cycle(std::string& out) {
   const std::vector<std::string> facts = debugger_.Memory(std::nullopt);
   before_ = std::set<std::string>(facts.begin(), facts.end());
+  inside_ = std::exchange(out, {});
+  follows_ = released_ = false;
   debugger_.Step();
+  out = std::exchange(inside_, {});
   if (traces_) TellTrace(out);
   out += debugger_.Line() + '\n';
   for (const std::string& fault : debugger_.Faults()) out += fault + '\n';
@@ -159,7 +165,7 @@ void IcarusRepl::StepCommand(const std::string& rest, std::string& out) {
     return;
   }
   if (!HasTop(out)) return;
-  for (std::uint64_t i = 0; i < *count; ++i) Cycle(out);
+  for (std::uint64_t i = 0; i < *count && !ends_; ++i) Cycle(out);
 }
 
 void IcarusRepl::RunCommand(const std::string& rest, std::string& out) {
@@ -171,7 +177,7 @@ void IcarusRepl::RunCommand(const std::string& rest, std::string& out) {
   if (!HasTop(out)) return;
   const bool free = rest.empty() && debugger_.script_has_ended();
   const std::uint64_t most = free ? kFreeRun : rest.empty() ? kMostCycles : *count;
-  for (std::uint64_t i = 0; i < most; ++i) {
+  for (std::uint64_t i = 0; i < most && !ends_; ++i) {
     const Breakpoint* const met = Cycle(out);
     if (met != nullptr) {
       out += fmt::format("break: {}\n", met->text);
@@ -204,6 +210,8 @@ bool IcarusRepl::IsMet(const Breakpoint& point) const {
         return !point.pattern || IsAct(*point.pattern, act);
       });
     }
+    case Stop::kInside:
+      return false;
     case Stop::kFact:
       break;
   }
@@ -243,11 +251,15 @@ void IcarusRepl::BreakCommand(const std::string& rest, std::string& out) {
     AddBreakpoint(Stop::kAct, pattern, rest, out);
   } else if (word == "fact" && !pattern.empty()) {
     AddBreakpoint(Stop::kFact, pattern, rest, out);
-  } else if (const std::uint32_t skill = debugger_.program().Find(rest);
-             skill != icarus::kNoSkill) {
-    breakpoints_.push_back({Stop::kSkill, skill, std::nullopt, rest});
   } else {
-    out += UnknownSkill(rest, debugger_.program());
+    const bool inside = word == "in" && !pattern.empty();
+    const std::string& name = inside ? pattern : rest;
+    const std::uint32_t skill = debugger_.program().Find(name);
+    if (skill == icarus::kNoSkill) {
+      out += UnknownSkill(name, debugger_.program());
+    } else {
+      breakpoints_.push_back({inside ? Stop::kInside : Stop::kSkill, skill, std::nullopt, rest});
+    }
   }
 }
 
@@ -391,8 +403,9 @@ void IcarusRepl::ReloadCommand(const std::string& /*rest*/, std::string& out) {
     return;
   }
   std::erase_if(breakpoints_, [this](Breakpoint& point) {
-    if (point.stop != Stop::kSkill) return false;
-    point.skill = debugger_.program().Find(point.text);
+    if (point.stop != Stop::kSkill && point.stop != Stop::kInside) return false;
+    const bool inside = point.stop == Stop::kInside;
+    point.skill = debugger_.program().Find(inside ? FirstWord(point.text).second : point.text);
     return point.skill == icarus::kNoSkill;
   });
   out += fmt::format("{} skills\n", debugger_.program().skills.size());

@@ -14,10 +14,18 @@
 
 namespace latchwork::app {
 
+/// Where further commands come from while a cycle is under way.
+class IcarusConsole {
+ public:
+  virtual ~IcarusConsole() = default;
+  /// Prints what was answered so far and reads a line; false at the end of input.
+  virtual bool Ask(const std::string& answer, std::string& line) = 0;
+};
+
 /// The commands of `latchwork icarus repl`.
 class IcarusRepl {
  public:
-  explicit IcarusRepl(IcarusDebugger& debugger) : debugger_(debugger) {}
+  IcarusRepl(IcarusDebugger& debugger, IcarusConsole& console);
 
   /// Does what a line says and appends the answer; false: it says to end.
   bool Do(std::string_view line, std::string& out);
@@ -29,7 +37,7 @@ class IcarusRepl {
     std::string_view help;
     void (IcarusRepl::*act)(const std::string& rest, std::string& out);
   };
-  enum class Stop { kSkill, kAct, kFact };
+  enum class Stop { kSkill, kInside, kAct, kFact };
   struct Breakpoint {
     Stop stop = Stop::kSkill;
     std::uint32_t skill = icarus::kNoSkill;
@@ -60,6 +68,12 @@ class IcarusRepl {
   void ReloadCommand(const std::string& rest, std::string& out);
   void HelpCommand(const std::string& rest, std::string& out);
 
+  // icarus_repl_pause.cc
+  void OnEvent(const icarus::TraceEntry& entry);
+  void Pause(const icarus::TraceEntry& entry);
+  bool DoInside(const std::string& line);
+  void TellCallers(const icarus::TraceEntry& entry);
+
   /// One cycle; the breakpoint that it meets.
   const Breakpoint* Cycle(std::string& out);
   const Breakpoint* Met() const;
@@ -72,10 +86,15 @@ class IcarusRepl {
   bool HasTop(std::string& out) const;
 
   IcarusDebugger& debugger_;
+  IcarusConsole& console_;
   std::vector<Breakpoint> breakpoints_;
   std::vector<Watch> watches_;
   std::set<std::string> before_;  ///< Facts before the last cycle.
   bool traces_ = false;
+  std::string inside_;     ///< What a cycle under way has answered.
+  bool follows_ = false;   ///< Pauses at every event.
+  bool released_ = false;  ///< Does not pause any more in this cycle.
+  bool ends_ = false;
 };
 
 }  // namespace latchwork::app

@@ -39,6 +39,8 @@ bool TellsTruth(EventKind kind) {
 /// Writes a script while a trace is read.
 class ScriptWriter {
  public:
+  explicit ScriptWriter(bool with_acts) : with_acts_(with_acts) {}
+
   void Header(const Json& header) {
     script_ = "(functions";
     for (const Json& name : header.at("functions")) script_ += ' ' + name.get<std::string>();
@@ -53,6 +55,10 @@ class ScriptWriter {
       const std::string answer =
           line.at("answer").is_null() ? "nil" : line.at("answer").get<std::string>();
       script_ += " (answer " + line.at("call").get<std::string>() + ' ' + answer + ')';
+    } else if (kind == "result" && open_ && with_acts_ && !line.at("acts").empty()) {
+      script_ += " (expect";
+      for (const Json& act : line.at("acts")) script_ += ' ' + act.get<std::string>();
+      script_ += ')';
     }
   }
 
@@ -85,6 +91,7 @@ class ScriptWriter {
     script_ += fmt::format(" ({} {})", head, text.get<std::string>());
   }
 
+  const bool with_acts_;
   std::string script_;
   bool open_ = false;
   Json top_;
@@ -165,9 +172,10 @@ Json ResultToJson(const IcarusSession& session, std::size_t index,
           {"faults", result.fault_count}};
 }
 
-std::optional<RecordedTrace> ReadTrace(const std::string& text, const std::string& file) {
+std::optional<RecordedTrace> ReadTrace(const std::string& text, const std::string& file,
+                                       bool with_acts) {
   RecordedTrace trace;
-  ScriptWriter writer;
+  ScriptWriter writer(with_acts);
   std::size_t number = 0;
   bool headed = false;
   for (std::size_t begin = 0; begin < text.size();) {

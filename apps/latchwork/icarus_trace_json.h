@@ -34,8 +34,10 @@ struct RecordedTrace {
   std::vector<Line> lines;  ///< After the header.
 };
 
-/// Nothing, with a message on standard error, when the text is no trace.
-std::optional<RecordedTrace> ReadTrace(const std::string& text, const std::string& file);
+/// Nothing, with a message on standard error, when the text is no trace. `with_acts`: the script
+/// expects the acts that each cycle came to.
+std::optional<RecordedTrace> ReadTrace(const std::string& text, const std::string& file,
+                                       bool with_acts = false);
 
 }  // namespace latchwork::app
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string>
 
+#include "reasoners/icarus/tools/trace_entry.h"
 #include "tests/reasoners/icarus/trees.h"
 
 namespace latchwork::icarus::testing {
@@ -44,6 +45,48 @@ void IcarusLevels(benchmark::State& state) {
   Run(state, LevelTree(levels, state.range(1) == 1), "level", levels);
 }
 BENCHMARK(IcarusLevels)->ArgsProduct({{10, 100, 1000}, {0, 1}})->ArgNames({"nodes", "parameters"});
+
+/// Puts events into words.
+class DescribingSink : public EventSink {
+ public:
+  explicit DescribingSink(TreeRun& run)
+      : describer_(run.file.program, run.interpreter.TopSource(run.top),
+                   run.interpreter.TopVariables(run.top), run.names) {}
+  void OnEvent(const Event& event) override {
+    benchmark::DoNotOptimize(TraceLine(describer_.Describe(event)));
+  }
+
+ private:
+  EventDescriber describer_;
+};
+
+/// Takes note of events, and does nothing with them.
+class CountingSink : public EventSink {
+ public:
+  void OnEvent(const Event& event) override { sum_ += event.number; }
+  std::uint64_t sum() const { return sum_; }
+
+ private:
+  std::uint64_t sum_ = 0;
+};
+
+/// The same trees, with parameters, while somebody is told of every event. The second argument:
+/// whether events are put into words, as for `icarus trace`.
+void IcarusTracedLevels(benchmark::State& state) {
+  const auto levels = static_cast<std::size_t>(state.range(0) / 5);
+  TreeRun run(LevelTree(levels, true));
+  CountingSink counting;
+  DescribingSink describing(run);
+  run.interpreter.SetSink(state.range(1) == 1 ? static_cast<EventSink*>(&describing) : &counting);
+  std::uint64_t cycles = 0;
+  for (auto _ : state) {
+    run.Cycle();
+    ++cycles;
+  }
+  benchmark::DoNotOptimize(counting.sum());
+  state.counters["per_level"] = PerUnit(levels * cycles);
+}
+BENCHMARK(IcarusTracedLevels)->ArgsProduct({{10, 100, 1000}, {0, 1}})->ArgNames({"nodes", "words"});
 
 /// One hundred matches with a memory of so many facts.
 void IcarusMatches(benchmark::State& state) {

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// `latchwork icarus` where it meets layers, traces and cycles that wait.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/integration/run_command.h"
+#include "tests/temporary_folder.h"
+
+namespace latchwork::testing {
+namespace {
+
+class IcarusToolsTest : public ::testing::Test {
+ protected:
+  void Write(const std::string& file, const std::string& text) {
+    WriteText(scratch_.path() / file, text);
+  }
+  CommandResult Run(const std::string& command) { return RunShell(command, scratch_.path()); }
+
+  test::TemporaryFolder scratch_;
+};
+
+TEST_F(IcarusToolsTest, CheckLayer_FindsWhatTheContractDoesNotHave) {
+  Write("p.icarus",
+        "(Seek () :requires ((move_cmd ?x ?) (bind ?_d {baering ?x})) :means ((Push)))\n"
+        "(Push () :action ({objekt push}))\n(never (move_cmd 1))\n(never (sonar_reading ? ?))\n");
+  EXPECT_EQ(Run("latchwork icarus check p.icarus").exit_code, 0);
+  const CommandResult result = Run("latchwork icarus check --layer seek p.icarus");
+  EXPECT_EQ(result.exit_code, 3);
+  for (const char* said :
+       {"p.icarus:1:1: error[I030]", "p.icarus:1:47: error[I028]", "did you mean {bearing}?",
+        "p.icarus:2:19: error[I028]", "p.icarus:3:8: error[I031]", "p.icarus:4:9: error[I032]"}) {
+    EXPECT_NE(result.err.find(said), std::string::npos) << said << '\n' << result.err;
+  }
+}
+
+TEST_F(IcarusToolsTest, CheckLayer_TakesAProgramThatFulfilsTheContract) {
+  Write("p.icarus",
+        "(top (Seek))\n(Seek () :requires ((move_cmd ? ?) (push_distance ?_d)) :means ((Push)))\n"
+        "(Push () :action ({object push}))\n");
+  const CommandResult result = Run("latchwork icarus check --werror --layer seek p.icarus");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, "p.icarus: ok: 2 skills, 0 constants, 0 facts\n");
+  EXPECT_EQ(Run("latchwork icarus check --layer sek p.icarus").exit_code, 4);
+}
+
+TEST_F(IcarusToolsTest, Recognise_ReadsATraceAsItReadsAScript) {
+  const std::string plans =
+      "(Spills () :objective ((Collide)) :means ((Lap)))\n"
+      "(Peace () :requires ((*not* (Avoid))) :means ((Lap)))\n"
+      "(Collide () :requires ({close}) :means ((Bump)))\n"
+      "(Avoid () :requires ({close}) :means ((Swerve)))\n"
+      "(Bump () :action ({bump}))\n(Swerve () :action ({swerve}))\n(Lap () :action ({lap}))\n";
+  Write("p.icarus", plans);
+  Write("w.world", "(top (Peace))\n(cycle (answer {close} nil))\n(cycle (answer {close} t))\n");
+  Write("s.world",
+        "(cycle (answer {close} nil) (expect {lap}))\n(cycle (answer {close} t) (expect "
+        "{swerve}))\n");
+  const std::string tops = " p.icarus --top '(Spills)' --top '(Peace)'";
+  const CommandResult traced =
+      Run("latchwork icarus trace p.icarus --script w.world --json > t.jsonl && "
+          "latchwork icarus recognise t.jsonl" +
+          tops);
+  EXPECT_EQ(traced.exit_code, 0) << traced.err;
+  const CommandResult scripted = Run("latchwork icarus recognise s.world" + tops);
+  EXPECT_EQ(traced.out, scripted.out);
+  EXPECT_NE(traced.out.find("2/2       1.00  (Peace)"), std::string::npos) << traced.out;
+  Write("bad.jsonl", "{\"kind\": 1}\n");
+  EXPECT_EQ(Run("latchwork icarus recognise bad.jsonl" + tops).exit_code, 3);
+}
+
+struct Session : IcarusToolsTest {
+  std::string Repl(const std::string& commands) {
+    Write("p.icarus",
+          "(Top () :requires ((car ?c)) :means ((Ram ?c)))\n(Ram (?c) :means ((Go ?c)))\n"
+          "(Go (?c) :action ({go ?c}))\n");
+    Write("w.world", "(top (Top))\n(cycle (store (car c1)) (repeat 9))\n");
+    Write("commands", commands);
+    const CommandResult result = Run("latchwork icarus repl p.icarus --script w.world < commands");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.out;
+  }
+};
+
+TEST_F(Session, BreakIn_WaitsWithinTheCycle) {
+  const std::string out = Repl(
+      "break in Go\nbreak in Goo\nbreak\nstep 2\nwhere\nmemory (car ?)\nstore (a)\nnext\n"
+      "continue\nfinish\ndelete\nstep\nmemory\n");
+  EXPECT_EQ(out,
+            "there is no skill 'Goo'; did you mean 'Go'?\n"
+            "1: in Go\n"
+            "break in cycle 1:\n"
+            "2:19        (Go c1)\n"
+            "(Go c1)  [2:19]\n"
+            "(Ram c1)  [1:38]\n"
+            "(Top)\n"
+            "(car c1)\n"
+            "a cycle is under way: continue (to the next break), next (event), finish (the cycle), "
+            "where, memory [(F ..)], trace, quit\n"
+            "2:19          act {go c1}\n"
+            "1: start {go c1}\n"
+            "break in cycle 2:\n"
+            "2:19        (Go c1)\n"
+            "2: continue {go c1}\n"
+            "3: continue {go c1}\n"
+            "(car c1)\n");
+}
+
+TEST_F(Session, QuitOrEndOfInputWithinACycle_EndsTheSession) {
+  EXPECT_EQ(Repl("break in Ram\nstep 5\nquit\nstep\n"),
+            "break in cycle 1:\n1:38      (Ram c1)\n1: start {go c1}\n");
+  EXPECT_EQ(Repl("break in Ram\nrun"), "break in cycle 1:\n1:38      (Ram c1)\n1: start {go c1}\n");
+}
+
+}  // namespace
+}  // namespace latchwork::testing
