@@ -2,6 +2,7 @@
 #ifndef LATCHWORK_REASONERS_CIRCUMSCRIPTION_LAYERED_PROCEDURE_H_
 #define LATCHWORK_REASONERS_CIRCUMSCRIPTION_LAYERED_PROCEDURE_H_
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -22,7 +23,8 @@ enum class Transfer : std::uint8_t {
   kRefined,  ///< Every state of all goals that some minimal model has, one after the other.
 };
 
-constexpr Transfer kTransfers[] = {Transfer::kSingle, Transfer::kOpen, Transfer::kRefined};
+inline constexpr std::array<Transfer, 3> kTransfers = {Transfer::kSingle, Transfer::kOpen,
+                                                       Transfer::kRefined};
 std::string_view Name(Transfer transfer);
 std::optional<Transfer> FindTransfer(std::string_view name);
 
