@@ -6,18 +6,13 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <map>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <vector>
 
-#include "apps/compare/report/findings.h"
+#include "apps/compare/folder/result_folder.h"
 #include "apps/compare/runs/run_queue.h"
 #include "apps/compare/statistics/sample_size.h"
-#include "apps/compare/storage/database.h"
-#include "apps/compare/storage/run_log.h"
 #include "apps/latchwork/command.h"
 #include "apps/latchwork/progress.h"
 #include "latchwork/logic/diagnostic.h"
@@ -27,10 +22,9 @@ namespace {
 
 using compare::Experiment;
 using compare::PlannedRun;
-using compare::RunKey;
-using compare::RunLog;
+using compare::ResultFolder;
 using compare::RunRecord;
-using Records = std::map<RunKey, RunRecord>;
+using compare::Trouble;
 
 struct CompareOptions {
   std::filesystem::path experiment;
@@ -58,91 +52,26 @@ compare::Shard ParseShard(const std::string& text) {
   return {index - 1, count};
 }
 
-/// Whether all runs belong to the experiment; says which does not.
-bool Belongs(const Experiment& experiment, const Records& runs,
-             const std::filesystem::path& folder) {
-  std::map<RunKey, std::string> commands;
-  for (const PlannedRun& run : PlanRuns(experiment)) commands[run.key] = CommandOf(run);
-  for (const auto& [key, record] : runs) {
-    const auto planned = commands.find(key);
-    if (planned != commands.end() && planned->second == record.command) continue;
-    fmt::print(stderr,
-               "{}: holds a run that is not of this experiment: {}\n  use another folder, or move "
-               "this one away\n",
-               folder.string(), record.command);
-    return false;
-  }
-  return true;
-}
-
-bool TakeOver(const Experiment& experiment, const std::filesystem::path& folder, RunLog& log) {
-  const std::filesystem::path file = folder / "runs.jsonl";
-  if (!std::filesystem::exists(file)) {
-    fmt::print(stderr, "{}: there is no runs.jsonl to take over\n", folder.string());
-    return false;
-  }
-  const compare::LoggedRuns other = compare::ReadRunLog(file);
-  if (!other.problem.empty()) {
-    fmt::print(stderr, "{}\n", other.problem);
-    return false;
-  }
-  if (!Belongs(experiment, other.runs, folder)) return false;
-  for (const auto& [key, record] : other.runs) {
-    if (!log.done().contains(key)) log.Add(record);
-  }
-  return true;
-}
-
-/// A run that cannot begin says that the experiment is wrong: it is not kept, and nothing follows.
-int MakeMissing(const Experiment& experiment, const CompareOptions& options, const Context& context,
-                RunLog& log) {
-  std::vector<PlannedRun> missing = PlanRuns(experiment, ParseShard(options.shard));
-  std::erase_if(missing, [&](const PlannedRun& run) { return log.done().contains(run.key); });
+void MakeMissing(const Experiment& experiment, const CompareOptions& options,
+                 const Context& context, ResultFolder& folder) {
+  const std::vector<PlannedRun> missing = folder.Missing(ParseShard(options.shard));
   Progress progress("runs", options.quiet);
   std::size_t done = 0;
-  int exit_code = kDone;
   compare::QueueOptions queue;
   queue.program = context.executable;
-  for (const std::filesystem::path& folder : context.plugin_folders) {
+  for (const std::filesystem::path& plugins : context.plugin_folders) {
     queue.arguments.insert(queue.arguments.end(),
-                           {"--plugin-path", std::filesystem::absolute(folder).string()});
+                           {"--plugin-path", std::filesystem::absolute(plugins).string()});
   }
   queue.limits = experiment.limits;
   queue.jobs = options.jobs;
   queue.on_done = [&](const RunRecord& record) {
     progress.Update(++done, missing.size());
-    if (record.outcome == compare::Outcome::kInvalid) {
-      fmt::print(stderr, "a run cannot begin: {}\n  {}\n", record.command, record.message);
-      exit_code = kInvalidInput;
-      return false;
-    }
-    return log.Add(record);
+    return folder.Keep(record);
   };
   std::signal(SIGINT, Interrupt);
   std::signal(SIGTERM, Interrupt);
   MakeRuns(missing, queue, interrupted);
-  if (exit_code == kDone && !log.problem().empty()) {
-    fmt::print(stderr, "{}\n", log.problem());
-    exit_code = kInternalError;
-  }
-  return exit_code;
-}
-
-bool WriteText(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text << std::flush;
-  if (!stream) fmt::print(stderr, "{}: cannot be written\n", file.string());
-  return static_cast<bool>(stream);
-}
-
-bool WriteAll(const std::filesystem::path& out, const Records& records, const std::string& text) {
-  bool good = WriteText(out / "report.txt", text) && WriteText(out / "runs.csv", ToCsv(records));
-  for (const std::string& problem : {WriteResults(out / "results.sqlite", records),
-                                     WriteTimings(out / "timings.sqlite", records)}) {
-    if (!problem.empty()) fmt::print(stderr, "{}: {}\n", out.string(), problem);
-    good = good && problem.empty();
-  }
-  return good;
 }
 
 void ShowPlan(const Experiment& experiment) {
@@ -168,22 +97,16 @@ void ShowPlan(const Experiment& experiment) {
 
 int RunExperiment(const Experiment& experiment, const CompareOptions& options,
                   const Context& context) {
-  std::error_code error;
-  std::filesystem::create_directories(options.out, error);
-  RunLog log(options.out / "runs.jsonl");
-  if (!log.problem().empty()) {
-    fmt::print(stderr, "{}\n", log.problem());
-    return kInvalidInput;
+  ResultFolder folder(experiment, options.out);
+  for (const std::filesystem::path& other : options.merge) folder.TakeOver(other);
+  if (folder.trouble().kind == Trouble::Kind::kNone) {
+    MakeMissing(experiment, options, context, folder);
   }
-  if (!Belongs(experiment, log.done(), options.out)) return kInvalidInput;
-  for (const std::filesystem::path& folder : options.merge) {
-    if (!TakeOver(experiment, folder, log)) return kInvalidInput;
-  }
-  const int exit_code = MakeMissing(experiment, options, context, log);
-  if (exit_code != kDone) return exit_code;
-  const std::string text = ToText(experiment, Evaluate(experiment, log.done()));
-  if (!WriteAll(options.out, log.done(), text)) return kInternalError;
-  fmt::print("{}", text);
+  const std::string report = folder.WriteResults();
+  fmt::print(stderr, "{}", folder.trouble().text);
+  if (folder.trouble().kind == Trouble::Kind::kInput) return kInvalidInput;
+  if (folder.trouble().kind == Trouble::Kind::kWriting) return kInternalError;
+  fmt::print("{}", report);
   if (!interrupted) return kDone;
   fmt::print(stderr, "stopped; the same command goes on from here\n");
   return kGoalNotReached;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 
 #include "apps/compare/runs/run_record.h"
@@ -22,7 +23,8 @@ struct LoggedRuns {
 LoggedRuns ReadRunLog(const std::filesystem::path& file);
 
 /// A log that is written to. What was killed while it wrote leaves at most a torn last line, which
-/// is dropped. Nobody else writes to it as long as this object lives.
+/// is dropped. Nobody else writes to it as long as this object lives. It remembers which runs are
+/// done, not what they gave: there may be very many.
 class RunLog {
  public:
   /// Opens or makes the file; problem() says why it cannot.
@@ -32,14 +34,17 @@ class RunLog {
   ~RunLog();
 
   /// Empty, or what went wrong; then nothing more is added.
-  const std::string& problem() const { return logged_.problem; }
-  const std::map<RunKey, RunRecord>& done() const { return logged_.runs; }
+  const std::string& problem() const { return problem_; }
+  const std::set<RunKey>& done() const { return done_; }
   /// False: it could not be written.
   bool Add(const RunRecord& record);
 
  private:
+  void Resume();
+
   std::filesystem::path file_;
-  LoggedRuns logged_;
+  std::set<RunKey> done_;
+  std::string problem_;
   int descriptor_ = -1;
 };
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/compare/report/result_files.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "apps/compare/report/findings.h"
+#include "apps/compare/storage/database.h"
+
+namespace latchwork::compare {
+namespace {
+
+std::string WriteText(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text << std::flush;
+  return stream ? "" : "cannot be written";
+}
+
+}  // namespace
+
+WrittenResults WriteResultFiles(const std::filesystem::path& folder, const Experiment& experiment,
+                                const std::map<RunKey, RunRecord>& records) {
+  WrittenResults written{ToText(experiment, Evaluate(experiment, records)), ""};
+  const auto note = [&](const char* name, const std::string& problem) {
+    if (problem.empty()) return;
+    written.problems += fmt::format("{}: {}\n", (folder / name).string(), problem);
+  };
+  note("report.txt", WriteText(folder / "report.txt", written.report));
+  note("runs.csv", WriteText(folder / "runs.csv", ToCsv(records)));
+  note("results.sqlite", WriteResults(folder / "results.sqlite", records));
+  note("timings.sqlite", WriteTimings(folder / "timings.sqlite", records));
+  return written;
+}
+
+}  // namespace latchwork::compare
