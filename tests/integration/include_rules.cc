@@ -28,19 +28,22 @@ struct Part {
   std::string_view folder;
   std::string_view sees;
 };
-constexpr std::array<Part, 14> kParts = {{
+constexpr std::array<Part, 17> kParts = {{
     {"core/logic/", ""},
+    {"core/process/", ""},
     {"core/sdk/", "logic"},
     {"core/config/", "logic sdk"},
     {"core/plugin/", "logic sdk"},
     {"core/schedule/", "logic sdk config plugin"},
     {"core/record/", "logic sdk config plugin schedule"},
     {"reasoners/circumscription/", "logic sdk reasoners/pttp"},
+    {"reasoners/eprover/", "logic sdk process reasoners/pttp"},
+    {"reasoners/swipl/", "logic sdk process reasoners/pttp"},
     {"reasoners/", "logic sdk"},
     {"plugins/", "logic sdk"},
     {"worlds/", "logic sdk"},
     {"apps/check_proof/", "logic"},
-    {"apps/compare/", "logic sdk config"},
+    {"apps/compare/", "logic sdk config process"},
     {"apps/",
      "logic sdk config plugin schedule record reasoners/circumscription reasoners/icarus "
      "reasoners/pttp apps/check_proof apps/compare"},

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/process/limits.h"
 #include "latchwork/logic/diagnostic.h"
 
 namespace latchwork::compare {
@@ -27,10 +28,7 @@ struct Contender {
 };
 
 /// What one run may use before it is ended.
-struct RunLimits {
-  double wall_seconds = 300;
-  std::uint64_t memory_mb = 4096;
-};
+using RunLimits = process::Limits;
 
 /// Every contender in every scenario with every seed. The first contender is the one that the
 /// others are compared with.

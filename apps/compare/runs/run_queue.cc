@@ -17,8 +17,9 @@ void MakeRuns(const std::vector<PlannedRun>& runs, const QueueOptions& options,
       std::vector<std::string> arguments = options.arguments;
       arguments.insert(arguments.end(), runs[index].arguments.begin(), runs[index].arguments.end());
       arguments.insert(arguments.end(), {"--json", "--quiet"});
-      const ChildResult child = RunChild(options.program, arguments, options.limits, stop);
-      if (child.end == ChildResult::End::kStopped) return;
+      const process::ChildResult child =
+          process::RunChild(options.program, arguments, options.limits, stop);
+      if (child.end == process::ChildResult::End::kStopped) return;
       const std::lock_guard lock(mutex);
       if (!options.on_done(Judge(runs[index], child))) stop = true;
     }

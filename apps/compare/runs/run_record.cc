@@ -78,13 +78,13 @@ std::optional<Outcome> OutcomeOf(std::string_view name) {
   return found->first;
 }
 
-RunRecord Judge(const PlannedRun& run, const ChildResult& child) {
+RunRecord Judge(const PlannedRun& run, const process::ChildResult& child) {
   RunRecord record;
   record.key = run.key;
   record.command = CommandOf(run);
   record.wall_s = child.wall_seconds;
   record.cpu_s = child.cpu_seconds;
-  if (child.end == ChildResult::End::kTimedOut) {
+  if (child.end == process::ChildResult::End::kTimedOut) {
     record.outcome = Outcome::kTimedOut;
     record.message = "ended: it took longer than the experiment allows";
     return record;
@@ -92,14 +92,14 @@ RunRecord Judge(const PlannedRun& run, const ChildResult& child) {
   const Json summary = Json::parse(child.output, nullptr, false);
   const bool has_summary =
       summary.is_object() && summary.value("outcome", "did not begin") != "did not begin";
-  if (child.end == ChildResult::End::kExited && has_summary) {
+  if (child.end == process::ChildResult::End::kExited && has_summary) {
     ReadSummary(summary, record);
     return record;
   }
   record.outcome =
-      child.end == ChildResult::End::kSignalled ? Outcome::kCrashed : Outcome::kInvalid;
+      child.end == process::ChildResult::End::kSignalled ? Outcome::kCrashed : Outcome::kInvalid;
   record.message =
-      child.end == ChildResult::End::kSignalled
+      child.end == process::ChildResult::End::kSignalled
           ? fmt::format("ended by signal {}", child.code)
           : FirstLine(summary.is_object() ? summary.value("errors", child.errors) : child.errors);
   if (child.errors.find("bad_alloc") != std::string::npos) record.outcome = Outcome::kCrashed;

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "apps/compare/runs/child_process.h"
 #include "apps/compare/runs/run_plan.h"
+#include "core/process/child_process.h"
 
 namespace latchwork::compare {
 
@@ -57,7 +57,7 @@ struct RunRecord {
 };
 
 /// From what the process of a run printed and how it ended.
-RunRecord Judge(const PlannedRun& run, const ChildResult& child);
+RunRecord Judge(const PlannedRun& run, const process::ChildResult& child);
 
 /// One line of JSON, and back; nothing for a line that is none.
 std::string ToLine(const RunRecord& record);

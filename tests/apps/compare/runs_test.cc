@@ -8,7 +8,6 @@
 #include <string>
 
 #include "apps/compare/report/findings.h"
-#include "apps/compare/runs/child_process.h"
 #include "apps/compare/runs/run_record.h"
 #include "apps/compare/storage/run_log.h"
 #include "tests/temporary_folder.h"
@@ -16,58 +15,11 @@
 namespace latchwork::compare {
 namespace {
 
-using End = ChildResult::End;
-
-ChildResult Shell(const std::string& script, const RunLimits& limits = {}) {
-  const std::atomic<bool> stop = false;
-  return RunChild("/bin/sh", {"-c", script}, limits, stop);
-}
-
-TEST(ChildProcessTest, KeepsOutputErrorsAndCode) {
-  const ChildResult result = Shell("echo out; echo err >&2; exit 3");
-  EXPECT_EQ(result.end, End::kExited);
-  EXPECT_EQ(result.code, 3);
-  EXPECT_EQ(result.output, "out\n");
-  EXPECT_EQ(result.errors, "err\n");
-}
-
-TEST(ChildProcessTest, Signal_IsToldFromACode) {
-  const ChildResult result = Shell("kill -SEGV $$");
-  EXPECT_EQ(result.end, End::kSignalled);
-  EXPECT_EQ(result.code, SIGSEGV);
-}
-
-TEST(ChildProcessTest, WallTime_EndsTheChildAndWhatItStarted) {
-  const ChildResult result = Shell("cat /dev/zero >/dev/null & wait", {0.05, 4096});
-  EXPECT_EQ(result.end, End::kTimedOut);
-}
-
-TEST(ChildProcessTest, WallTime_EndsAChildThatClosedItsOutput) {
-  const ChildResult result = Shell("exec cat /dev/zero >/dev/null 2>&1", {0.05, 4096});
-  EXPECT_EQ(result.end, End::kTimedOut);
-}
-
-TEST(ChildProcessTest, Stop_EndsIt) {
-  const std::atomic<bool> stop = true;
-  EXPECT_EQ(RunChild("/bin/cat", {"/dev/zero"}, {}, stop).end, End::kStopped);
-}
-
-TEST(ChildProcessTest, EndlessOutput_IsCutNotKept) {
-  const ChildResult result = Shell("head -c 20000000 /dev/zero");
-  EXPECT_EQ(result.end, End::kExited);
-  EXPECT_LE(result.output.size(), (16U << 20U) + 4096U);
-}
-
-TEST(ChildProcessTest, MissingProgram_IsNotStarted) {
-  const std::atomic<bool> stop = false;
-  EXPECT_EQ(RunChild("/no/such/program", {}, {}, stop).end, End::kNotStarted);
-}
-
 const PlannedRun kRun = {{"floor", "pttp", 7}, {"run", "a file.xml", "--seed", "7"}};
 
 RunRecord JudgeOutput(const std::string& output, const std::string& errors = "") {
-  ChildResult child;
-  child.end = End::kExited;
+  process::ChildResult child;
+  child.end = process::ChildResult::End::kExited;
   child.output = output;
   child.errors = errors;
   return Judge(kRun, child);
@@ -88,11 +40,11 @@ TEST(RunRecordTest, RunThatDidNotBegin_IsInvalidAndSaysWhy) {
 }
 
 TEST(RunRecordTest, ProcessesThatDoNotEndWell) {
-  ChildResult child;
-  child.end = End::kSignalled;
+  process::ChildResult child;
+  child.end = process::ChildResult::End::kSignalled;
   child.code = SIGSEGV;
   EXPECT_EQ(Judge(kRun, child).outcome, Outcome::kCrashed);
-  child.end = End::kTimedOut;
+  child.end = process::ChildResult::End::kTimedOut;
   EXPECT_EQ(Judge(kRun, child).outcome, Outcome::kTimedOut);
   EXPECT_EQ(JudgeOutput("", "internal error: std::bad_alloc").outcome, Outcome::kCrashed);
 }

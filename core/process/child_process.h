@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LATCHWORK_APPS_COMPARE_RUNS_CHILD_PROCESS_H_
-#define LATCHWORK_APPS_COMPARE_RUNS_CHILD_PROCESS_H_
+#ifndef LATCHWORK_CORE_PROCESS_CHILD_PROCESS_H_
+#define LATCHWORK_CORE_PROCESS_CHILD_PROCESS_H_
 
 #include <atomic>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "apps/compare/experiment/experiment.h"
+#include "core/process/limits.h"
 
-namespace latchwork::compare {
+namespace latchwork::process {
 
 /// How a process ended, and what it said.
 struct ChildResult {
@@ -23,12 +24,12 @@ struct ChildResult {
 };
 
 /// Runs a program to its end within limits: wall time (then it is killed, with what it started) and
-/// address space. Standard input is empty. `stop`, set by anyone, ends it. Thread rule: safe from
-/// any thread.
+/// address space. `input` is its standard input. `stop`, set by anyone, ends it. Thread rule: safe
+/// from any thread.
 ChildResult RunChild(const std::filesystem::path& program,
-                     const std::vector<std::string>& arguments, const RunLimits& limits,
-                     const std::atomic<bool>& stop);
+                     const std::vector<std::string>& arguments, const Limits& limits,
+                     const std::atomic<bool>& stop, std::string_view input = {});
 
-}  // namespace latchwork::compare
+}  // namespace latchwork::process
 
-#endif  // LATCHWORK_APPS_COMPARE_RUNS_CHILD_PROCESS_H_
+#endif  // LATCHWORK_CORE_PROCESS_CHILD_PROCESS_H_
