@@ -30,6 +30,9 @@ TEST(OfficeOmplTest, SameFloor) { ExpectArrivals("scenario1.xml", "1-2"); }
 TEST(OfficeOmplTest, OneFloorUp) { ExpectArrivals("scenario2.xml", "1-2"); }
 TEST(OfficeOmplTest, AnotherFloor) { ExpectArrivals("scenario3.xml", "1-2"); }
 
+/// The elevator fails while the robot rides.
+TEST(OfficeOmplTest, BadDay) { ExpectArrivals("events.xml", "1-2"); }
+
 TEST(OfficeOmplTest, OtherPlanners) {
   ExpectArrivals("scenario2.xml", "1-2",
                  {"--set", "itinerary.reasoner.planner=PRM", "--set",
@@ -51,7 +54,8 @@ TEST_P(OfficeOmplLayerTest, OneFloorUp) {
   ExpectAllReached(runs);
 }
 
-INSTANTIATE_TEST_SUITE_P(Layers, OfficeOmplLayerTest, ::testing::Values("seek", "elevators"),
+INSTANTIATE_TEST_SUITE_P(Layers, OfficeOmplLayerTest,
+                         ::testing::Values("seek", "elevators", "itinerary"),
                          [](const auto& layer) { return std::string(layer.param); });
 
 /// Without any reasoner below: the reactive floor.

@@ -2,16 +2,14 @@
 #include "reasoners/ompl/layers/traveller.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "reasoners/ompl/layers/follow_path.h"
+#include "reasoners/ompl/layers/landmark_walk.h"
 
 namespace latchwork::planning {
 namespace {
 
-constexpr double kOnPath = 2.5;      // m; who is farther from a path has left it
-constexpr double kProgress = 0.3;    // m along a path that a step brings at least
-constexpr double kBesidePath = 2.0;  // how many metres along a path one metre beside it outweighs
+constexpr double kOnPath = 2.5;  // m; who is farther from a path has left it
 
 Elevator& Named(std::vector<Elevator>& elevators, logic::Symbol name) {
   const auto found = std::find_if(elevators.begin(), elevators.end(),
@@ -91,13 +89,8 @@ bool Traveller::GoOn(logic::Symbol here) {
   while (!stages_.empty() && stages_.front().to == here) stages_.erase(stages_.begin());
   if (stages_.empty()) return false;
   Stage& stage = stages_.front();
+  if (stage.elevator) return StillRides(stage, here);
   if (stage.from == here) return true;
-  if (stage.elevator) {
-    return std::any_of(building_.elevators.begin(), building_.elevators.end(),
-                       [&](const Elevator& elevator) {
-                         return elevator.name == stage.elevator && elevator.cab == here;
-                       });
-  }
   const Place& place = PlaceOf(here);
   if (place.floor != PlaceOf(stage.to).floor) return false;
   if (NearestOn(stage.path, place.at).distance > kOnPath) return false;
@@ -106,23 +99,26 @@ bool Traveller::GoOn(logic::Symbol here) {
   return true;
 }
 
-/// Of the landmarks next to the stage's start the one that is farthest along the path and not far
-/// beside it; the path's end, where none brings more along than beside.
-logic::Symbol Traveller::NextOnFoot(const LatchFacts& latches, const Stage& stage) const {
-  logic::Symbol best = stage.to;
-  double most = -std::numeric_limits<double>::infinity();
-  latches.ForEach({adjacent_, 2}, [&](auto terms) {
-    const logic::Symbol landmark = terms[1].symbol();
-    if (terms[0].symbol() != stage.from || !Unknown(landmark).empty()) return;
-    if (std::binary_search(building_.shut.begin(), building_.shut.end(), landmark)) return;
-    const Nearest nearest = NearestOn(stage.path, PlaceOf(landmark).at);
-    if (nearest.along < std::max(kProgress, nearest.distance)) return;
-    const double worth = nearest.along - kBesidePath * nearest.distance;
-    if (worth <= most) return;
-    most = worth;
-    best = landmark;
+/// Whether who is at `here`, in the cab or where the ride begins, can take it. One that is out of
+/// order stops somewhere, and goes nowhere else.
+bool Traveller::StillRides(const Stage& stage, logic::Symbol here) const {
+  const auto& elevators = building_.elevators;
+  const auto ridden = std::find_if(elevators.begin(), elevators.end(), [&](const Elevator& each) {
+    return each.name == stage.elevator && each.cab == here;
   });
-  return best;
+  if (ridden == elevators.end()) return stage.from == here;
+  return ridden->usable || ridden->at == PlaceOf(stage.to).floor;
+}
+
+/// No walk leads into a shut door; who stands in one may leave.
+logic::Symbol Traveller::NextOnFoot(const LatchFacts& latches, const Stage& stage) const {
+  Neighbours before;
+  latches.ForEach({adjacent_, 2}, [&](auto terms) {
+    const logic::Symbol into = terms[1].symbol();
+    if (std::binary_search(building_.shut.begin(), building_.shut.end(), into)) return;
+    if (Unknown(into).empty()) before[into].push_back(terms[0].symbol());
+  });
+  return FirstOfWalk(*setup_.map, before, stage.path, stage.from, stage.to);
 }
 
 }  // namespace latchwork::planning

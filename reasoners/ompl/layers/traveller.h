@@ -34,6 +34,7 @@ class Traveller {
 
  private:
   bool GoOn(logic::Symbol here);
+  bool StillRides(const Stage& stage, logic::Symbol here) const;
   void KeepTo(logic::Symbol target);
   logic::Symbol NextOnFoot(const LatchFacts& latches, const Stage& stage) const;
 

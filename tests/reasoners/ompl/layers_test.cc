@@ -83,8 +83,22 @@ TEST(SeekJobTest, FloorThatTheMapLacks_Failed) {
 TEST(ItineraryJobTest, SameFloor_NextLandmarkOnThePath) {
   ReasonerMind mind(kItinerary);
   EXPECT_THAT(mind.Decide(House({"curr_landmark(c1_09)", "goal(c1_13)", "adjacent(c1_09, c1_08)",
-                                 "adjacent(c1_09, c1_10)", "adjacent(c1_09, d1_02)"})),
+                                 "adjacent(c1_08, c1_13)", "adjacent(c1_09, c1_10)",
+                                 "adjacent(c1_10, c1_04)", "adjacent(c1_04, c1_13)"})),
               ElementsAre("target_landmark(c1_10)"));
+}
+
+TEST(ItineraryJobTest, NoLandmarkOnThePath_OneBesideItThatLeadsThere) {
+  ReasonerMind mind(kItinerary);
+  EXPECT_THAT(mind.Decide(House({"curr_landmark(c1_09)", "goal(c1_13)", "adjacent(c1_09, c1_10)",
+                                 "adjacent(c1_09, d1_02)", "adjacent(d1_02, c1_13)"})),
+              ElementsAre("target_landmark(d1_02)"));
+}
+
+TEST(ItineraryJobTest, NoWalkOfLandmarks_TheGoal) {
+  ReasonerMind mind(kItinerary);
+  EXPECT_THAT(mind.Decide(House({"curr_landmark(c1_09)", "goal(c1_13)", "adjacent(c1_09, c1_10)"})),
+              ElementsAre("target_landmark(c1_13)"));
 }
 
 TEST(ItineraryJobTest, Arrived_StaysThere) {
@@ -125,6 +139,16 @@ TEST(ItineraryJobTest, InACabOutOfOrder_OutWhereItIs) {
 }
 
 /// The only door of r1_01 is d1_01.
+TEST(ItineraryJobTest, ElevatorFailsOnTheWay_OutWhereItStops) {
+  ReasonerMind mind(kItinerary);
+  Facts facts{"curr_landmark(cab_e1)", "goal(c3_01)", "elevator_at(e1, 1)"};
+  EXPECT_THAT(mind.Decide(House(facts)), ElementsAre("target_landmark(l3_e1)"));
+  facts.push_back("elevator_out_of_order(e1)");
+  EXPECT_THAT(mind.Decide(House(facts)), ElementsAre("target_landmark(l1_e1)"));
+  facts[2] = "elevator_at(e1, 2)";
+  EXPECT_THAT(mind.Decide(House(facts)), ElementsAre("target_landmark(l2_e1)"));
+}
+
 TEST(ItineraryJobTest, RoomBehindAShutDoor_Refuted) {
   ReasonerMind mind(kItinerary);
   EXPECT_THAT(mind.Decide(House({"curr_landmark(c1_09)", "goal(r1_01)", "door_shut(d1_01)"})),
