@@ -4,19 +4,17 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "apps/latchwork/icarus_command.h"
+#include "apps/latchwork/icarus_layers.h"
 #include "latchwork/logic/diagnostic.h"
-#include "latchwork/plugin/plugin_search.h"
-#include "latchwork/plugin/registry.h"
-#include "latchwork/sdk/contract_body.h"
-#include "reasoners/icarus/body/layer_check.h"
 
 namespace latchwork::app {
 namespace {
@@ -28,6 +26,7 @@ struct Settings {
   icarus::CheckOptions options;
   std::string explain;
   std::string layer;
+  std::string scenario;
   bool warnings_are_errors = false;
   bool json = false;
 };
@@ -58,62 +57,70 @@ void PrintSummary(const std::string& file, const icarus::Program& program) {
              program.facts.size() == 1 ? "" : "s");
 }
 
-/// The layer whose body the programs are to be, with its parameters as they are by default.
-class LayerToFulfil {
- public:
-  LayerToFulfil(const std::string& name, const Context& context)
-      : registry_(plugin::MakeSearchPath(context.plugin_folders, context.executable)),
-        layer_(registry_.MakeLayer(name)) {
-    if (!layer_.object) return;
-    const auto parameters = sdk::Parameters::Defaults(layer_.object->parameters());
-    const std::vector<std::string> languages = layer_.object->languages();
-    if (std::find(languages.begin(), languages.end(), "icarus") != languages.end()) {
-      body_ = layer_.object->MakeBody(
-          "icarus", parameters, registry_.DataFolder(sdk::PluginKind::kLayer, name), symbols_);
-    } else {
-      body_ = sdk::ContractBody(layer_.object->contract(), "icarus", symbols_);
-      body_.facts = sdk::ParameterFacts(parameters, symbols_);
-    }
-  }
+/// What checks of programs came to.
+struct Report {
+  Json list = Json::array();
+  int exit_code = kDone;
 
-  /// Why there is no such layer; empty: there is.
-  const std::string& error() const { return layer_.error; }
-  icarus::Findings Check(const icarus::Program& program) {
-    return icarus::CheckInLayer(program, body_, symbols_);
-  }
-
- private:
-  logic::SymbolTable symbols_;
-  plugin::Registry registry_;
-  plugin::Made<sdk::Layer> layer_;
-  sdk::Body body_;
+  void Worsen(int code) { exit_code = std::max(exit_code, code); }
 };
 
-/// Whether the file may be used.
-bool CheckFile(const Settings& settings, const std::string& file, LayerToFulfil* layer,
-               Json& list) {
-  std::optional<std::string> text = ReadProgramText(file);
-  if (!text) return false;
-  icarus::ProgramFile read = icarus::ReadProgram(*std::move(text), file, settings.options);
-  if (layer != nullptr && !icarus::HasErrors(read.findings)) {
-    const icarus::Findings more = layer->Check(read.program);
-    read.findings.insert(read.findings.end(), more.begin(), more.end());
-    icarus::Settle(read.program.source, read.findings);
-  }
+/// `name` is what a person knows the program by.
+void Judge(const Settings& settings, const std::string& name, const icarus::ProgramFile& read,
+           Report& report) {
   const bool missing_top =
       !settings.options.top.empty() && read.program.Find(settings.options.top) == icarus::kNoSkill;
   const bool bad = missing_top || icarus::HasErrors(read.findings) ||
                    (settings.warnings_are_errors && !read.findings.empty());
   if (missing_top) {
-    fmt::print(stderr, "{}: error: there is no skill '{}'\n", file, settings.options.top);
+    fmt::print(stderr, "{}: error: there is no skill '{}'\n", name, settings.options.top);
   }
+  if (bad) report.Worsen(kInvalidInput);
   if (settings.json) {
-    for (const icarus::Finding& finding : read.findings) list.push_back(ToJson(finding));
+    for (const icarus::Finding& finding : read.findings) report.list.push_back(ToJson(finding));
   } else {
-    PrintFindings(file, read.findings);
-    if (!bad) PrintSummary(file, read.program);
+    PrintFindings(name, read.findings);
+    if (!bad) PrintSummary(name, read.program);
   }
-  return !bad;
+}
+
+/// Reads a program and checks it, as the body of the layer where there is one.
+void CheckFile(const Settings& settings, const std::string& file, LayerToFulfil* layer,
+               const std::string& name, Report& report) {
+  std::optional<std::string> text = ReadProgramText(file);
+  if (!text) return report.Worsen(kInvalidInput);
+  icarus::CheckOptions options = settings.options;
+  if (layer != nullptr) options.facts = layer->facts();
+  icarus::ProgramFile read = icarus::ReadProgram(*std::move(text), file, options);
+  if (layer != nullptr && !icarus::HasErrors(read.findings)) {
+    const icarus::Findings more = layer->Check(read.program);
+    read.findings.insert(read.findings.end(), more.begin(), more.end());
+    icarus::Settle(read.program.source, read.findings);
+  }
+  Judge(settings, name, read, report);
+}
+
+bool IsAgentFile(const std::string& file) {
+  return std::filesystem::path(file).extension() == ".xml";
+}
+
+/// Checks each program of an agent against its layer.
+void CheckAgent(const Settings& settings, const std::string& file, const Context& context,
+                Report& report) {
+  ProgramsOfAgent programs(file, settings.scenario, context);
+  if (!programs.diagnostics().empty()) {
+    fmt::print(stderr, "{}", logic::Format(programs.diagnostics()));
+    return report.Worsen(programs.plugin_failure() ? kPluginFailure : kInvalidInput);
+  }
+  for (LayerToFulfil& layer : programs.layers()) {
+    for (const std::filesystem::path& program : layer.files()) {
+      CheckFile(settings, program.string(), &layer,
+                fmt::format("{}: {}", layer.name(), program.filename().string()), report);
+    }
+  }
+  if (programs.layers().empty() && !settings.json) {
+    fmt::print("{}: ok: no layer has an Icarus program for a body\n", file);
+  }
 }
 
 int Explain(const std::string& wanted) {
@@ -137,21 +144,24 @@ int Run(const Settings& settings, const Context& context) {
     fmt::print(stderr, "latchwork: name at least one program\n");
     return kUsage;
   }
-  std::optional<LayerToFulfil> layer;
+  std::optional<NamedLayer> layer;
   if (!settings.layer.empty()) layer.emplace(settings.layer, context);
   if (layer && !layer->error().empty()) {
     fmt::print(stderr, "latchwork: {}\n", layer->error());
     return kPluginFailure;
   }
-  bool all_good = true;
-  Json list = Json::array();
+  Report report;
   for (const std::string& file : settings.files) {
-    all_good = CheckFile(settings, file, layer ? &*layer : nullptr, list) && all_good;
+    if (IsAgentFile(file)) {
+      CheckAgent(settings, file, context, report);
+    } else {
+      CheckFile(settings, file, layer ? &layer->layer() : nullptr, file, report);
+    }
   }
   if (settings.json) {
-    fmt::print("{}\n", list.dump(2, ' ', false, Json::error_handler_t::replace));
+    fmt::print("{}\n", report.list.dump(2, ' ', false, Json::error_handler_t::replace));
   }
-  return all_good ? kDone : kInvalidInput;
+  return report.exit_code;
 }
 
 }  // namespace
@@ -160,7 +170,11 @@ void AddIcarusCheck(CLI::App& icarus, Context& context) {
   CLI::App* command =
       icarus.add_subcommand("check", "Check programs without running them: errors and warnings");
   const auto settings = std::make_shared<Settings>();
-  command->add_option("FILE", settings->files, "Programs; - is standard input");
+  command->add_option("FILE", settings->files,
+                      "Programs; - is standard input. Of an agent file (.xml) each layer that has "
+                      "a program, as its body");
+  command->add_option("--scenario", settings->scenario,
+                      "A file of overrides that comes on top of agent files");
   command->add_option("--top", settings->options.top,
                       "The skill that the program is started with; what it does not lead to is "
                       "reported");

@@ -47,6 +47,29 @@ TEST_F(IcarusToolsTest, CheckLayer_TakesAProgramThatFulfilsTheContract) {
   EXPECT_EQ(Run("latchwork icarus check --layer sek p.icarus").exit_code, 4);
 }
 
+TEST_F(IcarusToolsTest, CheckAgent_ChecksTheProgramOfEachLayer) {
+  const CommandResult office = RunShell(
+      "latchwork icarus check --werror examples/office/scenario1.xml --scenario "
+      "examples/office/icarus.xml",
+      LATCHWORK_SOURCE_DIR);
+  EXPECT_EQ(office.exit_code, 0) << office.err;
+  for (const char* layer : {"avoid", "seek", "elevators", "itinerary"}) {
+    const std::string line = std::string(layer) + ": " + layer + ".icarus: ok: ";
+    EXPECT_NE(office.out.find(line), std::string::npos) << office.out;
+  }
+  const CommandResult theories =
+      RunShell("latchwork icarus check examples/office/scenario1.xml", LATCHWORK_SOURCE_DIR);
+  EXPECT_EQ(theories.exit_code, 0);
+  EXPECT_EQ(theories.out,
+            "examples/office/scenario1.xml: ok: no layer has an Icarus program for a body\n");
+}
+
+TEST_F(IcarusToolsTest, CheckAgent_SaysWhatIsWrongWithTheAgent) {
+  Write("a.xml", "<agent");
+  EXPECT_EQ(Run("latchwork icarus check a.xml").exit_code, 3);
+  EXPECT_EQ(Run("latchwork icarus check b.xml").exit_code, 3);
+}
+
 TEST_F(IcarusToolsTest, Recognise_ReadsATraceAsItReadsAScript) {
   const std::string plans =
       "(Spills () :objective ((Collide)) :means ((Lap)))\n"

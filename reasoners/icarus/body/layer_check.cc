@@ -9,6 +9,15 @@
 
 namespace latchwork::icarus {
 
+std::vector<std::string> FactsOf(const sdk::Body& body) {
+  std::vector<std::string> heads;
+  for (const sdk::PortSpec& port : body.contract.inputs) {
+    for (const auto& predicate : port.predicates) heads.push_back(Fold(predicate.name));
+  }
+  for (const logic::Fact& fact : body.facts) heads.push_back(Fold(fact.predicate().name()));
+  return heads;
+}
+
 Findings CheckInLayer(const Program& program, const sdk::Body& body, logic::SymbolTable& symbols) {
   NamePool names;
   TermBridge bridge(symbols, names);

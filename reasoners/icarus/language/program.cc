@@ -43,12 +43,13 @@ ProgramFile ReadProgram(std::string text, std::string file, const CheckOptions& 
   return result;
 }
 
-ProgramFile ReadProgram(std::string text, std::vector<SourcePart> parts) {
+ProgramFile ReadProgram(std::string text, std::vector<SourcePart> parts,
+                        const CheckOptions& options) {
   ProgramFile result;
   result.program.source =
       ReadForms(std::move(text), parts.empty() ? "" : parts.front().file, result.findings);
   result.program.source.parts = std::move(parts);
-  Finish(result, {});
+  Finish(result, options);
   return result;
 }
 

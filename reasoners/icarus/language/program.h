@@ -117,11 +117,13 @@ struct ProgramFile {
 struct CheckOptions {
   bool strict = false;  ///< Fewer arguments than parameters are an error.
   std::string top;      ///< The skill the program is started with; empty: as the program says.
+  std::vector<std::string> facts;  ///< How facts from elsewhere begin, folded.
 };
 
 ProgramFile ReadProgram(std::string text, std::string file, const CheckOptions& options = {});
 /// Of a text that was put together from `parts`, none of which has errors of syntax.
-ProgramFile ReadProgram(std::string text, std::vector<SourcePart> parts);
+ProgramFile ReadProgram(std::string text, std::vector<SourcePart> parts,
+                        const CheckOptions& options = {});
 
 }  // namespace latchwork::icarus
 

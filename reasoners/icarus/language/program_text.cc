@@ -71,7 +71,7 @@ bool ProgramText::Remove(std::string_view name) {
   return found;
 }
 
-ProgramFile ProgramText::Read() const {
+ProgramFile ProgramText::Read(const CheckOptions& options) const {
   std::string text;
   std::vector<SourcePart> parts;
   std::uint32_t line = 1;
@@ -80,7 +80,7 @@ ProgramFile ProgramText::Read() const {
     line += static_cast<std::uint32_t>(std::count(part.text.begin(), part.text.end(), '\n'));
     text += part.text;
   }
-  return ReadProgram(std::move(text), std::move(parts));
+  return ReadProgram(std::move(text), std::move(parts), options);
 }
 
 std::uint32_t ProgramText::last_begin() const {

@@ -23,7 +23,7 @@ class ProgramText {
   bool Remove(std::string_view name);
 
   /// Reads and checks the whole.
-  ProgramFile Read() const;
+  ProgramFile Read(const CheckOptions& options = {}) const;
   /// Offset in the whole at which the text added last begins.
   std::uint32_t last_begin() const;
 

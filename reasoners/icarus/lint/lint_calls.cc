@@ -9,6 +9,7 @@
 #include "reasoners/icarus/language/signature.h"
 #include "reasoners/icarus/language/walk.h"
 #include "reasoners/icarus/lint/lint.h"
+#include "reasoners/icarus/lint/name_words.h"
 
 namespace latchwork::icarus {
 
@@ -40,6 +41,7 @@ class CallLint {
            Findings& findings)
       : program_(program), options_(options), reporter_(reporter), findings_(findings) {
     for (const Skill& skill : program.skills) names_.push_back(skill.name);
+    heads_.names.insert(options.facts.begin(), options.facts.end());
     for (const Term& fact : program.facts) heads_.Add(fact);
     for (const Skill& skill : program.skills) {
       WalkTerms(skill, [&](const Term& term, Slot) {
@@ -85,10 +87,12 @@ class CallLint {
     if (head.kind != TermKind::kSymbol || heads_.names.contains(head.text)) return;
     const std::string_view nearest = Nearest(head.text);
     const std::string name(program_.source.Text(head.form));
-    if (!nearest.empty()) {
+    const std::string meant =
+        nearest.empty() ? "" : program_.skills[program_.Find(nearest)].spelling;
+    if (!meant.empty() && IsSlip(name, meant)) {
       reporter_.Add(Code::kMisspeltSkill, clause.form,
                     "there is no skill '" + name + "', so this asks memory for a fact",
-                    "did you mean '" + program_.skills[program_.Find(nearest)].spelling + "'?");
+                    "did you mean '" + meant + "'?");
     } else if (!program_.facts.empty() && !program_.top && !heads_.open) {
       reporter_.Add(Code::kUnknownFact, clause.form,
                     "there is no skill '" + name + "', and no fact begins with it",

@@ -114,6 +114,31 @@ constexpr CodeCase kCases[] = {
 INSTANTIATE_TEST_SUITE_P(AllCodes, IcarusCodeTest, ::testing::ValuesIn(kCases),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
+TEST(IcarusProgramTest, NameNearASkill_IsASlipInItsWordsAndItsStyle) {
+  const auto codes = [](const std::string& head, const std::string& skill) {
+    return Codes("(A () :requires ((" + head + " ?)) :means ((" + skill + ")))\n(" + skill +
+                 " () :action ({go}))");
+  };
+  const List found{"1:18 I015"};
+  EXPECT_EQ(codes("GoFoward", "GoForward"), found);
+  EXPECT_EQ(codes("Goforwad", "GoForward"), found);
+  EXPECT_EQ(codes("go_foward", "go_forward"), found);
+  EXPECT_EQ(codes("go_forward", "GoForward"), found);
+  EXPECT_EQ(codes("no_echo", "NoteEcho"), List());
+  EXPECT_EQ(codes("no_echo", "note_echo"), List());
+  EXPECT_EQ(codes("hour", "Pour"), List());
+}
+
+TEST(IcarusProgramTest, FactsFromElsewhere_AreNoSlips) {
+  constexpr std::string_view kText =
+      "(A () :requires ((hour ?)) :means ((pour)))\n"
+      "(pour () :action ({go}))";
+  EXPECT_EQ(Codes(kText), List{"1:18 I015"});
+  CheckOptions options;
+  options.facts = {"hour"};
+  EXPECT_EQ(Codes(kText, options), List());
+}
+
 TEST(IcarusProgramTest, UnboundActArgument_IsFound) {
   EXPECT_EQ(Codes("(A () :means ((B ?_x)))\n(B (?x) :action ({go ?x}))"), List{"1:18 I020"});
   EXPECT_EQ(Codes("(A () :requires ((bind ?x 1)) :means ((B ?x)))\n(B (?x) :action ({go ?x}))"),
