@@ -125,8 +125,9 @@ class Explainer {
     if (type == schema_.values.end()) return;
     const std::string quoted = "'" + attribute.value + "'";
     const bool is_wrong = std::ranges::any_of(messages, [&](const std::string& message) {
-      return message.find(quoted) != std::string::npos &&
-             message.find("'" + type->second.pattern + "'") != std::string::npos;
+      const std::size_t value = message.find(quoted);
+      return value != std::string::npos && message.find("'" + type->second.pattern + "'",
+                                                        value + quoted.size()) != std::string::npos;
     });
     if (!is_wrong) return;
     Say(attribute.place, fmt::format("'{}' is not {}", attribute.value, type->second.help), "");

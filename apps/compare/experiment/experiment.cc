@@ -15,20 +15,19 @@ namespace {
 
 constexpr std::string_view kSchema = R"xsd(<?xml version="1.0" encoding="UTF-8"?>
 <xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema">
-  <xs:element name="experiment">
-    <xs:complexType>
-      <xs:choice minOccurs="0" maxOccurs="unbounded">
-        <xs:element name="scenario" type="Scenario"/>
-        <xs:element name="agent" type="Agent"/>
-      </xs:choice>
-      <xs:attribute name="format" type="Format" use="required"/>
-      <xs:attribute name="name" type="Name" use="required"/>
-      <xs:attribute name="seeds" type="Seeds" use="required"/>
-      <xs:attribute name="level" type="Level"/>
-      <xs:attribute name="wall" type="Seconds"/>
-      <xs:attribute name="memory" type="Megabytes"/>
-    </xs:complexType>
-  </xs:element>
+  <xs:element name="experiment" type="Experiment"/>
+  <xs:complexType name="Experiment">
+    <xs:choice minOccurs="0" maxOccurs="unbounded">
+      <xs:element name="scenario" type="Scenario"/>
+      <xs:element name="agent" type="Agent"/>
+    </xs:choice>
+    <xs:attribute name="format" type="Format" use="required"/>
+    <xs:attribute name="name" type="Name" use="required"/>
+    <xs:attribute name="seeds" type="Seeds" use="required"/>
+    <xs:attribute name="level" type="Level"/>
+    <xs:attribute name="wall" type="Seconds"/>
+    <xs:attribute name="memory" type="Megabytes"/>
+  </xs:complexType>
   <xs:complexType name="Scenario">
     <xs:attribute name="name" type="Name" use="required"/>
     <xs:attribute name="file" type="Path" use="required"/>
