@@ -76,7 +76,8 @@ Point People::AimOf(const Person& person) const {
   const Point a = building_->landmarks[person.from].place;
   const Point b = building_->landmarks[person.to].place;
   const double length = std::max(1e-9, Distance(a, b));
-  return {b.x + kRightHand * (b.y - a.y) / length, b.y - kRightHand * (b.x - a.x) / length};
+  const double beside = person.side * kRightHand / length;
+  return {b.x + beside * (b.y - a.y), b.y - beside * (b.x - a.x)};
 }
 
 bool People::IsInTheWay(const Person& person, Point next, const Disc& other) const {
@@ -129,6 +130,7 @@ void People::Step(std::uint64_t tick, std::span<const FloorMap> maps, int robot_
       const std::size_t next = NextLandmark(person, tick, i);
       person.from = person.to;
       person.to = next;
+      person.side = 1.0;
       continue;
     }
     const Point next{person.place.x + (aim.x - person.place.x) * step / rest,
@@ -136,12 +138,24 @@ void People::Step(std::uint64_t tick, std::span<const FloorMap> maps, int robot_
     if (!IsBlocked(i, next, maps[static_cast<std::size_t>(person.floor)], robot_floor, robot)) {
       person.place = next;
       person.waited = 0;
+      person.turned = false;
     } else if (++person.waited * dt_ > options_.patience) {
-      std::swap(person.from, person.to);
-      person.waited = 0;
+      Turn(person);
     }
   }
   CollectDiscs();
+}
+
+/// Round to the other side of the corridor; if that was no use either, to its other side, and so
+/// on.
+void People::Turn(Person& person) {
+  if (person.turned) {
+    person.side = -person.side;
+  } else {
+    std::swap(person.from, person.to);
+  }
+  person.turned = !person.turned;
+  person.waited = 0;
 }
 
 void People::CollectDiscs() {

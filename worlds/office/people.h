@@ -19,7 +19,7 @@ struct PeopleOptions {
   double radius = 0.2;  ///< m
   double distance =
       0.9;  ///< Nearer they do not come to the robot, or to people ahead, rim to rim, m.
-  double patience = 4.0;  ///< s; then they turn round.
+  double patience = 4.0;  ///< s; then they turn round, or change sides.
 };
 
 /// People who walk up and down the corridors, on the right-hand side, by seed. They stop for each
@@ -44,7 +44,9 @@ class People {
     std::size_t from = 0;
     std::size_t to = 0;
     double speed = 0.0;
-    int waited = 0;
+    int waited = 0;       ///< Ticks.
+    double side = 1.0;    ///< Of the way: 1 right, -1 left.
+    bool turned = false;  ///< Since the last step.
   };
 
   Point AimOf(const Person& person) const;
@@ -54,6 +56,7 @@ class People {
   /// Wherever the robot is: ahead, beside, or round a corner.
   bool ComesTooNear(const Person& person, Point next, const Disc& robot) const;
   std::size_t NextLandmark(const Person& person, std::uint64_t tick, std::size_t self) const;
+  static void Turn(Person& person);
   void CollectDiscs();
 
   PeopleOptions options_;

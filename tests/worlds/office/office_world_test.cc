@@ -140,6 +140,26 @@ TEST_F(OfficeWorldTest, PeopleAndBoxes_NeverTouchAStandingRobotOrTheWays) {
   }
 }
 
+/// A robot that stands where corridors cross is in the way whichever way people turn.
+TEST_F(OfficeWorldTest, RobotInTheWay_PeopleGoSomeOtherWay) {
+  ASSERT_TRUE(Load({{"start", "l1_s"}, {"people", "25"}}, 4).empty());
+  const auto people = [&] { return world_.state().people->On(0); };
+  std::vector<Point> places(people().size());
+  std::vector<int> stood(people().size(), 0);
+  int longest = 0;
+  for (int i = 0; i < 6000; ++i) {
+    Tick({});
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const Point now = people()[k].centre;
+      stood[k] = Distance(now, places[k]) > 0.0 ? 0 : stood[k] + 1;
+      places[k] = now;
+      longest = std::max(longest, stood[k]);
+    }
+  }
+  EXPECT_GT(longest, 40) << "somebody had to wait";
+  EXPECT_LT(longest, 600) << "and nobody for a minute";
+}
+
 TEST_F(OfficeWorldTest, Mistakes_AreReportedAllAtOnceWithPlaceAndHint) {
   const auto wrong = Load({{"start", "r1_7"}, {"goal", "r9_99"}, {"shut", "d1_08 dd"}});
   ASSERT_EQ(wrong.size(), 3U);
