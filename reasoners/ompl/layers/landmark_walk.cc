@@ -48,15 +48,15 @@ class WalkSearch {
     open_.insert({cost, landmark});
   }
 
-  void Extend(Symbol landmark, double cost, std::int64_t floor) {
-    const auto neighbours = neighbours_->find(landmark);
+  void Extend(Symbol into, double cost, std::int64_t floor) {
+    const auto neighbours = neighbours_->find(into);
     if (neighbours == neighbours_->end()) return;
-    const Point at = map_->landmarks.at(landmark).at;
+    const Point at = map_->landmarks.at(into).at;
     const double worse = kStep + kBesidePath * NearestOn(*path_, at).distance;
-    for (const Symbol before : neighbours->second) {
-      const auto place = map_->landmarks.find(before);
+    for (const Symbol from : neighbours->second) {
+      const auto place = map_->landmarks.find(from);
       if (place == map_->landmarks.end() || place->second.floor != floor) continue;
-      Reach(before, cost + worse + Distance(place->second.at, at), landmark);
+      Reach(from, cost + worse + Distance(place->second.at, at), into);
     }
   }
 
