@@ -52,17 +52,24 @@ compare::Shard ParseShard(const std::string& text) {
   return {index - 1, count};
 }
 
+compare::Launch LaunchOf(const Context& context) {
+  compare::Launch launch{context.executable, {}};
+  for (const std::filesystem::path& plugins : context.plugin_folders) {
+    launch.arguments.insert(launch.arguments.end(),
+                            {"--plugin-path", std::filesystem::absolute(plugins).string()});
+  }
+  return launch;
+}
+
 void MakeMissing(const Experiment& experiment, const CompareOptions& options,
                  const Context& context, ResultFolder& folder) {
   const std::vector<PlannedRun> missing = folder.Missing(ParseShard(options.shard));
   Progress progress("runs", options.quiet);
   std::size_t done = 0;
   compare::QueueOptions queue;
-  queue.program = context.executable;
-  for (const std::filesystem::path& plugins : context.plugin_folders) {
-    queue.arguments.insert(queue.arguments.end(),
-                           {"--plugin-path", std::filesystem::absolute(plugins).string()});
-  }
+  const compare::Launch launch = LaunchOf(context);
+  queue.program = launch.program;
+  queue.arguments = launch.arguments;
   queue.limits = experiment.limits;
   queue.jobs = options.jobs;
   queue.on_done = [&](const RunRecord& record) {
@@ -102,7 +109,11 @@ int RunExperiment(const Experiment& experiment, const CompareOptions& options,
   if (folder.trouble().kind == Trouble::Kind::kNone) {
     MakeMissing(experiment, options, context, folder);
   }
-  const std::string report = folder.WriteResults();
+  const std::string report =
+      folder.WriteResults({LaunchOf(context),
+                           {fmt::format("latchwork compare {} --out {}",
+                                        options.experiment.string(), options.out.string()),
+                            "latchwork " LATCHWORK_VERSION}});
   fmt::print(stderr, "{}", folder.trouble().text);
   if (folder.trouble().kind == Trouble::Kind::kInput) return kInvalidInput;
   if (folder.trouble().kind == Trouble::Kind::kWriting) return kInternalError;
@@ -136,7 +147,8 @@ constexpr const char* kFooter =
     "The first agent is compared with each of the others. The folder gets runs.jsonl (all that "
     "was\n"
     "done; the same command goes on from there), results.sqlite (the same bytes whenever and\n"
-    "wherever the runs are made), timings.sqlite, runs.csv and report.txt.\n\n"
+    "wherever the runs are made), timings.sqlite, runs.csv, report.txt and report.html (opens in\n"
+    "a browser, from anywhere).\n\n"
     "Examples:\n"
     "  latchwork compare examples/compare/smoke.xml --out out/smoke -j 2\n"
     "  latchwork compare examples/compare/smoke.xml --plan\n"

@@ -12,6 +12,7 @@
 
 #include "apps/latchwork/command.h"
 #include "apps/latchwork/run_json.h"
+#include "apps/latchwork/trajectory.h"
 #include "latchwork/logic/diagnostic.h"
 #include "latchwork/logic/symbol.h"
 #include "latchwork/record/journal_writer.h"
@@ -21,7 +22,8 @@
 namespace latchwork::app {
 namespace {
 
-/// Keeps the first fault of each layer and kind and all events, and tells how far the run has come.
+/// Keeps the first fault of each layer and kind, all events and the way, and tells how far the run
+/// has come.
 class RunWatch : public schedule::RunObserver {
  public:
   RunWatch(FinishedRun& run, const TickNotice& notice, std::uint64_t total)
@@ -32,8 +34,13 @@ class RunWatch : public schedule::RunObserver {
     for (const schedule::EventRecord& event : record.events) {
       run_.events.push_back({record.tick, logic::ToString(event.fact), event.problem});
     }
+    trajectory_.Add(record.sensors);
     notice_(record.tick + 1, total_);
     return true;
+  }
+
+  void OnEnd(const schedule::RunResult& /*result*/) override {
+    run_.trajectory = trajectory_.ToText();
   }
 
  private:
@@ -47,6 +54,7 @@ class RunWatch : public schedule::RunObserver {
   FinishedRun& run_;
   const TickNotice& notice_;
   std::uint64_t total_;
+  Trajectory trajectory_;
 };
 
 int ExitCodeOf(schedule::RunResult::State state) {

@@ -47,6 +47,7 @@ struct FinishedRun {
   std::vector<schedule::Fault> faults;   ///< The first of each layer and kind, with its tick.
   std::vector<std::string> layer_names;  ///< For the faults.
   std::vector<EventNote> events;
+  std::string trajectory;  ///< See Trajectory::ToText.
   std::vector<std::filesystem::path> written;
   bool began = false;
 };

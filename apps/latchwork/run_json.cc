@@ -73,6 +73,7 @@ Json RunJson(const FinishedRun& run) {
           {"layers", std::move(layers)},
           {"events", EventsJson(run.events)},
           {"faults", std::move(faults)},
+          {"trajectory", run.trajectory},
           {"errors", run.errors}};
 }
 

@@ -244,9 +244,10 @@ void Svg::Shown(double from_seconds, double to_seconds, const std::function<void
 
 std::string Svg::ToString() const {
   return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" data-area=\"{} {} {} {}\" "
       "font-family=\"sans-serif\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n{}</svg>\n",
-      Number((area_.x2 - area_.x1) * scale_), Number((area_.y2 - area_.y1) * scale_), body_);
+      Number((area_.x2 - area_.x1) * scale_), Number((area_.y2 - area_.y1) * scale_),
+      Number(area_.x1, 4), Number(area_.y1, 4), Number(area_.x2, 4), Number(area_.y2, 4), body_);
 }
 
 bool Svg::Save(const std::filesystem::path& file) const {

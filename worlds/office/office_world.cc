@@ -152,8 +152,9 @@ std::vector<std::filesystem::path> OfficeWorld::Draw(const std::filesystem::path
     scene.goal = goal.place;
   }
   std::vector<std::filesystem::path> written = DrawFloors(scene, folder);
-  const auto svg = DrawRoute(scene, folder);
-  written.insert(written.end(), svg.begin(), svg.end());
+  for (const auto& svg : {DrawRoute(scene, folder), DrawPlans(scene, folder)}) {
+    written.insert(written.end(), svg.begin(), svg.end());
+  }
   return written;
 }
 

@@ -52,6 +52,11 @@ std::vector<std::filesystem::path> DrawFloors(const PictureScene& scene,
 std::vector<std::filesystem::path> DrawRoute(const PictureScene& scene,
                                              const std::filesystem::path& folder);
 
+/// The floors as they stand, without what happened, to draw the ways of many runs over: for each
+/// "plan1.svg", in one colour that the page decides. Returns what could be written.
+std::vector<std::filesystem::path> DrawPlans(const PictureScene& scene,
+                                             const std::filesystem::path& folder);
+
 /// Colour of a moment of the run, 0 at its start, 1 at its end: blue, teal, green, yellow, red.
 struct Colour {
   std::uint8_t red = 0;

@@ -2,27 +2,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <utility>
 
 #include "latchwork/sdk/svg.h"
+#include "worlds/office/floor_svg.h"
 #include "worlds/office/picture.h"
 
 namespace latchwork::office {
 
 namespace {
 
-constexpr double kPixels = 20.0;  // a metre
-constexpr double kGap = 2.0;      // metres between floors
-
-double WidthOf(const FloorMap& map) { return map.width() * map.resolution(); }
-double HeightOf(const FloorMap& map) { return map.height() * map.resolution(); }
+constexpr double kGap = 2.0;  // metres between floors
 
 /// The floors below each other, each in the frame of its map.
 class RouteSvg {
  public:
   RouteSvg(const PictureScene& scene, double width, double height)
-      : scene_(scene), svg_({.x2 = width, .y2 = height}, kPixels) {
+      : scene_(scene), svg_({.x2 = width, .y2 = height}, kSvgPixels) {
     svg_.Rectangle({0, 0}, {width, height}, {.fill = "white"});
     for (std::size_t i = 0; i < scene.building->floors.size(); ++i) {
       const FloorMap& map = scene.building->floors[i].map;
@@ -41,7 +36,7 @@ class RouteSvg {
     const Point origin = storey.map.origin();
     svg_.Text({origin.x + 0.2, origin.y + HeightOf(storey.map) + 0.3},
               fmt::format("floor {}", storey.number), {.size = kLetters});
-    Walls(storey.map);
+    DrawWalls(svg_, storey.map, "#343a46");
     for (const Box& box : scene_.record->boxes) {
       if (box.floor != floor) continue;
       svg_.Rectangle({box.area.x1, box.area.y1}, {box.area.x2, box.area.y2}, {.fill = "#de963e"});
@@ -54,31 +49,6 @@ class RouteSvg {
       svg_.Text({remark.place.x + 0.3, remark.place.y - 0.7},
                 fmt::format("{:.1f} s {}", seconds, remark.text), {.size = kLetters});
     }
-  }
-
-  /// Rectangles: runs of cells that repeat in the rows above are merged.
-  void Walls(const FloorMap& map) {
-    std::map<std::pair<int, int>, int> open;  // run of cells -> its first row
-    for (int y = 0; y <= map.height(); ++y) {
-      std::map<std::pair<int, int>, int> now;
-      for (int x = 0; y < map.height() && x < map.width(); ++x) {
-        if (!map.IsWall(x, y)) continue;
-        const int first = x;
-        while (x < map.width() && map.IsWall(x, y)) ++x;
-        const auto above = open.find({first, x});
-        now[{first, x}] = above == open.end() ? y : above->second;
-      }
-      for (const auto& [run, first] : open) {
-        if (now.contains(run)) continue;
-        svg_.Rectangle(CornerOf(map, run.first, first), CornerOf(map, run.second, y),
-                       {.fill = "#343a46"});
-      }
-      open = std::move(now);
-    }
-  }
-
-  static sdk::SvgPoint CornerOf(const FloorMap& map, int x, int y) {
-    return {map.origin().x + x * map.resolution(), map.origin().y + y * map.resolution()};
   }
 
   void Route(int floor) {

@@ -7,8 +7,6 @@
 #include <system_error>
 #include <utility>
 
-#include "apps/compare/report/result_files.h"
-
 namespace latchwork::compare {
 namespace {
 
@@ -85,14 +83,14 @@ bool ResultFolder::Keep(const RunRecord& record) {
   return trouble_.kind == Trouble::Kind::kNone;
 }
 
-std::string ResultFolder::WriteResults() {
+std::string ResultFolder::WriteResults(const Origin& origin) {
   if (trouble_.kind != Trouble::Kind::kNone) return "";
   const LoggedRuns logged = ReadRunLog(LogIn(folder_));
   if (!logged.problem.empty()) {
     Stop(Trouble::Kind::kWriting, logged.problem + '\n');
     return "";
   }
-  WrittenResults written = WriteResultFiles(folder_, experiment_, logged.runs);
+  WrittenResults written = WriteResultFiles(folder_, experiment_, logged.runs, origin);
   if (!written.problems.empty()) Stop(Trouble::Kind::kWriting, std::move(written.problems));
   return trouble_.kind == Trouble::Kind::kNone ? std::move(written.report) : "";
 }

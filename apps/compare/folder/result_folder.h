@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/compare/report/result_files.h"
 #include "apps/compare/runs/run_record.h"
 #include "apps/compare/storage/run_log.h"
 
@@ -41,7 +42,7 @@ class ResultFolder {
 
   /// Writes everything but the log, from what the log holds. The report for people, empty on
   /// trouble.
-  std::string WriteResults();
+  std::string WriteResults(const Origin& origin = {});
 
  private:
   bool Belong(const std::map<RunKey, RunRecord>& runs, const std::filesystem::path& folder);

@@ -6,8 +6,6 @@
 namespace latchwork::compare {
 namespace {
 
-using Records = std::map<RunKey, RunRecord>;
-
 RunScore ScoreOf(const RunRecord& record) {
   return {record.outcome == Outcome::kReached, record.time_s};
 }
@@ -22,7 +20,7 @@ double LimitOf(const Records& records, const std::string& scenario) {
 
 Tally Count(const Experiment& experiment, const Records& records, const std::string& scenario,
             const std::string& contender, double limit) {
-  Tally tally{scenario, contender, 0, {}, 0, 0};
+  Tally tally{scenario, contender, 0, {}, limit, 0, 0, 0};
   double reached_s = 0;
   for (std::uint64_t seed = experiment.first_seed; seed <= experiment.last_seed; ++seed) {
     const auto run = records.find({scenario, contender, seed});
@@ -31,11 +29,15 @@ Tally Count(const Experiment& experiment, const Records& records, const std::str
     ++tally.outcomes[run->second.outcome];
     const bool reached = run->second.outcome == Outcome::kReached;
     if (reached) reached_s += run->second.time_s;
+    tally.restricted_s += reached ? run->second.time_s : limit;
     tally.par2_s += reached ? run->second.time_s : 2 * limit;
   }
   const std::size_t reached = tally.outcomes[Outcome::kReached];
   if (reached > 0) tally.mean_time_s = reached_s / static_cast<double>(reached);
-  if (tally.runs > 0) tally.par2_s /= static_cast<double>(tally.runs);
+  if (tally.runs > 0) {
+    tally.restricted_s /= static_cast<double>(tally.runs);
+    tally.par2_s /= static_cast<double>(tally.runs);
+  }
   return tally;
 }
 
@@ -62,6 +64,11 @@ void Correct(std::vector<Duel>& duels) {
 }
 
 }  // namespace
+
+std::size_t CountOf(const Tally& tally, Outcome outcome) {
+  const auto found = tally.outcomes.find(outcome);
+  return found == tally.outcomes.end() ? 0 : found->second;
+}
 
 Findings Evaluate(const Experiment& experiment, const Records& records) {
   Findings findings;

@@ -13,14 +13,18 @@
 
 namespace latchwork::compare {
 
+using Records = std::map<RunKey, RunRecord>;
+
 /// How one contender fared in one scenario.
 struct Tally {
   std::string scenario;
   std::string contender;
   std::size_t runs = 0;
   std::map<Outcome, std::size_t> outcomes;
-  double mean_time_s = 0;  ///< In the world, of the runs that reached the goal.
-  double par2_s = 0;       ///< Of all; what failed counts twice the limit.
+  double limit_s = 0;       ///< How long a run of the scenario may last.
+  double mean_time_s = 0;   ///< In the world, of the runs that reached the goal.
+  double restricted_s = 0;  ///< Mean of all; what failed counts the limit.
+  double par2_s = 0;        ///< Of all; what failed counts twice the limit.
 };
 
 /// The first contender against another, over all seeds of a scenario that both have run.
@@ -39,14 +43,17 @@ struct Findings {
   std::vector<RunRecord> failures;
 };
 
-Findings Evaluate(const Experiment& experiment, const std::map<RunKey, RunRecord>& records);
+Findings Evaluate(const Experiment& experiment, const Records& records);
+
+/// How often a run ended so.
+std::size_t CountOf(const Tally& tally, Outcome outcome);
 
 /// The findings for people: verdicts in words first, then tables, then each failure with the
 /// command that repeats it.
 std::string ToText(const Experiment& experiment, const Findings& findings);
 
 /// All runs, one line each, with a header.
-std::string ToCsv(const std::map<RunKey, RunRecord>& records);
+std::string ToCsv(const Records& records);
 
 }  // namespace latchwork::compare
 

@@ -17,16 +17,25 @@ std::string WriteText(const std::filesystem::path& file, const std::string& text
   return stream ? "" : "cannot be written";
 }
 
+std::map<std::string, Building> BuildingsOf(const Experiment& experiment, const Launch& launch) {
+  if (launch.program.empty()) return {};
+  return DrawBuildings(experiment, launch);
+}
+
 }  // namespace
 
 WrittenResults WriteResultFiles(const std::filesystem::path& folder, const Experiment& experiment,
-                                const std::map<RunKey, RunRecord>& records) {
-  WrittenResults written{ToText(experiment, Evaluate(experiment, records)), ""};
+                                const std::map<RunKey, RunRecord>& records, const Origin& origin) {
+  const Findings findings = Evaluate(experiment, records);
+  WrittenResults written{ToText(experiment, findings), ""};
   const auto note = [&](const char* name, const std::string& problem) {
     if (problem.empty()) return;
     written.problems += fmt::format("{}: {}\n", (folder / name).string(), problem);
   };
   note("report.txt", WriteText(folder / "report.txt", written.report));
+  note("report.html", WriteText(folder / "report.html",
+                                ToHtml({experiment, records, findings,
+                                        BuildingsOf(experiment, origin.launch), origin.making})));
   note("runs.csv", WriteText(folder / "runs.csv", ToCsv(records)));
   note("results.sqlite", WriteResults(folder / "results.sqlite", records));
   note("timings.sqlite", WriteTimings(folder / "timings.sqlite", records));

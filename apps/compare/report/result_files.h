@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "apps/compare/report/floor_plan.h"
+#include "apps/compare/report/html.h"
 #include "apps/compare/runs/run_record.h"
 
 namespace latchwork::compare {
@@ -15,9 +17,15 @@ struct WrittenResults {
   std::string problems;  ///< Empty, or a line for each file that cannot be written.
 };
 
+/// Where the runs come from.
+struct Origin {
+  Launch launch;  ///< Draws the floors for the report; without a program there are none.
+  Making making;
+};
+
 /// Writes all files of an experiment but its log, whatever is there.
 WrittenResults WriteResultFiles(const std::filesystem::path& folder, const Experiment& experiment,
-                                const std::map<RunKey, RunRecord>& records);
+                                const std::map<RunKey, RunRecord>& records, const Origin& origin);
 
 }  // namespace latchwork::compare
 

@@ -5,26 +5,22 @@
 #include <iterator>
 
 #include "apps/compare/report/findings.h"
+#include "apps/compare/report/verdicts.h"
 
 namespace latchwork::compare {
 namespace {
 
 constexpr std::size_t kMostFailures = 20;
 
-std::string Subject(Verdict verdict, const Duel& duel, std::string_view better) {
-  if (verdict == Verdict::kNoDifferenceShown) return "no difference shown";
-  return fmt::format("{} {}", verdict == Verdict::kFirstBetter ? duel.first : duel.second, better);
-}
-
-std::string InWords(const Duel& duel, double level) {
-  const Comparison& c = duel.comparison;
-  return fmt::format(
-      "{}, {} against {}: goals reached: {} ({} and {} of {}; p = {:.3g}); time: {} "
-      "(mean difference {:+.1f} s, 95 % {:+.1f} to {:+.1f}; p = {:.3g})\n",
-      duel.scenario, duel.first, duel.second, Subject(OnSuccess(c, level), duel, "reaches more"),
-      c.first_reached, c.second_reached, c.pairs, c.p_success_corrected,
-      Subject(OnTime(c, level), duel, "is faster"), c.difference.mean, c.difference.low,
-      c.difference.high, c.p_times_corrected);
+std::string InWords(const AgentVerdict& verdict, const std::string& first) {
+  std::string text = fmt::format("{} against {}\n", verdict.contender, first);
+  for (const Difference& each : verdict.differences) {
+    text += fmt::format("  {} in {} ({})\n", each.what, each.scenario, each.figures);
+  }
+  for (const std::string& each : verdict.not_shown) {
+    text += fmt::format("  no difference shown: {}\n", each);
+  }
+  return text;
 }
 
 std::string Outcomes(const Tally& tally) {
@@ -46,8 +42,7 @@ std::string Table(const std::vector<Tally>& tallies) {
   std::string text = fmt::format("{:<{}}  {:<{}}  {:>9}  {:>11}  {:>8}  {}\n", "scenario", scenario,
                                  "agent", contender, "reached", "mean time s", "PAR-2 s", "others");
   for (const Tally& each : tallies) {
-    const auto reached = each.outcomes.find(Outcome::kReached);
-    const std::size_t count = reached == each.outcomes.end() ? 0 : reached->second;
+    const std::size_t count = CountOf(each, Outcome::kReached);
     text += fmt::format("{:<{}}  {:<{}}  {:>9}  {:>11}  {:>8.1f}  {}\n", each.scenario, scenario,
                         each.contender, contender, fmt::format("{} of {}", count, each.runs),
                         count == 0 ? "-" : fmt::format("{:.1f}", each.mean_time_s), each.par2_s,
@@ -69,10 +64,10 @@ std::string Quoted(const std::string& text) {
 }  // namespace
 
 std::string ToText(const Experiment& experiment, const Findings& findings) {
-  std::string text =
-      fmt::format("{}: {} against the others; level {}, all tests together\n\n", experiment.name,
-                  experiment.contenders.front().name, experiment.level);
-  for (const Duel& duel : findings.duels) text += InWords(duel, experiment.level);
+  std::string text = fmt::format("{}: {}\n\n", experiment.name, Overview(experiment, findings));
+  for (const AgentVerdict& verdict : Verdicts(experiment, findings)) {
+    text += InWords(verdict, experiment.contenders.front().name);
+  }
   text += '\n' + Table(findings.tallies);
   if (findings.failures.empty()) return text;
   text +=

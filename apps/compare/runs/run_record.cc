@@ -40,6 +40,7 @@ LayerRecord ReadLayer(const Json& layer) {
   record.faults = layer.value("faults", std::uint64_t{0});
   record.inferences = layer.value("/inferences/mean"_json_pointer, 0.0);
   record.mean_us = layer.value("/time_us/mean"_json_pointer, 0.0);
+  record.p50_us = layer.value("/time_us/p50"_json_pointer, 0.0);
   record.p99_us = layer.value("/time_us/p99"_json_pointer, 0.0);
   return record;
 }
@@ -58,6 +59,7 @@ void ReadSummary(const Json& summary, RunRecord& record) {
   record.duration_s = summary.value("duration_s", 0.0);
   record.time_s = Measure(summary, "time_s");
   record.distance_m = Measure(summary, "distance_m");
+  record.trajectory = summary.value("trajectory", "");
   if (const auto layers = summary.find("layers"); layers != summary.end()) {
     for (const Json& layer : *layers) record.layers.push_back(ReadLayer(layer));
   }
@@ -109,14 +111,15 @@ RunRecord Judge(const PlannedRun& run, const process::ChildResult& child) {
 std::string ToLine(const RunRecord& record) {
   Json layers = Json::array();
   for (const LayerRecord& layer : record.layers) {
-    layers.push_back({{"name", layer.name},
-                      {"reasoner", layer.reasoner},
-                      {"decisions", layer.decisions},
-                      {"budget_hits", layer.budget_hits},
-                      {"assumed_by_bound", layer.assumed_by_bound},
-                      {"faults", layer.faults},
-                      {"inferences", {{"mean", layer.inferences}}},
-                      {"time_us", {{"mean", layer.mean_us}, {"p99", layer.p99_us}}}});
+    layers.push_back(
+        {{"name", layer.name},
+         {"reasoner", layer.reasoner},
+         {"decisions", layer.decisions},
+         {"budget_hits", layer.budget_hits},
+         {"assumed_by_bound", layer.assumed_by_bound},
+         {"faults", layer.faults},
+         {"inferences", {{"mean", layer.inferences}}},
+         {"time_us", {{"mean", layer.mean_us}, {"p50", layer.p50_us}, {"p99", layer.p99_us}}}});
   }
   const Json line = {{"scenario", record.key.scenario},
                      {"agent", record.key.contender},
@@ -128,6 +131,7 @@ std::string ToLine(const RunRecord& record) {
                      {"measures", {{"time_s", record.time_s}, {"distance_m", record.distance_m}}},
                      {"collisions", record.collisions},
                      {"layers", layers},
+                     {"trajectory", record.trajectory},
                      {"wall_s", record.wall_s},
                      {"cpu_s", record.cpu_s}};
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);

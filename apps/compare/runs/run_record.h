@@ -36,6 +36,7 @@ struct LayerRecord {
   std::uint64_t assumed_by_bound = 0;
   std::uint64_t faults = 0;
   double mean_us = 0;
+  double p50_us = 0;
   double p99_us = 0;
   friend bool operator==(const LayerRecord&, const LayerRecord&) = default;
 };
@@ -51,7 +52,8 @@ struct RunRecord {
   double distance_m = 0;
   std::uint64_t collisions = 0;
   std::vector<LayerRecord> layers;
-  double wall_s = 0;  ///< Of the process; differs from run to run, as does cpu_s.
+  std::string trajectory;  ///< "1 2.5,3 4.25,3;2 9,9": floors, and the places there, m.
+  double wall_s = 0;       ///< Of the process; differs from run to run, as does cpu_s.
   double cpu_s = 0;
   friend bool operator==(const RunRecord&, const RunRecord&) = default;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "apps/compare/statistics/holm.h"
+#include "apps/compare/statistics/shares.h"
 
 namespace latchwork::compare {
 namespace {
@@ -42,6 +43,7 @@ Comparison Compare(std::span<const RunScore> first, std::span<const RunScore> se
   result.first_reached = CountReached(first.first(result.pairs));
   result.second_reached = CountReached(second.first(result.pairs));
   result.p_success = McNemarExact(result.discordant);
+  result.success = DifferenceOfShares(result.discordant, result.pairs);
   result.difference = BootstrapInterval(differences, seed);
   result.first_par2 = Par2(first.first(result.pairs), limit);
   result.second_par2 = Par2(second.first(result.pairs), limit);

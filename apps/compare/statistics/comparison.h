@@ -27,6 +27,7 @@ struct Comparison {
   std::size_t second_reached = 0;
   Discordant discordant;
   double p_success = 1;   ///< McNemar.
+  Interval success;       ///< Share of reached goals, first minus second.
   Interval difference;    ///< Of restricted times, first minus second; failures count the limit.
   double first_par2 = 0;  ///< Mean time, failures counted as twice the limit.
   double second_par2 = 0;

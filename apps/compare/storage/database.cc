@@ -80,6 +80,8 @@ std::string WriteResults(const std::filesystem::path& file,
       "CREATE TABLE runs(scenario TEXT, agent TEXT, seed INTEGER, outcome TEXT, message TEXT,"
       " time_s REAL, distance_m REAL, collisions INTEGER, command TEXT,"
       " PRIMARY KEY(scenario, agent, seed)) WITHOUT ROWID;"
+      "CREATE TABLE trajectories(scenario TEXT, agent TEXT, seed INTEGER, places TEXT,"
+      " PRIMARY KEY(scenario, agent, seed)) WITHOUT ROWID;"
       "CREATE TABLE layers(scenario TEXT, agent TEXT, seed INTEGER, layer TEXT, reasoner TEXT,"
       " decisions INTEGER, inferences REAL, budget_hits INTEGER, assumed_by_bound INTEGER,"
       " faults INTEGER, PRIMARY KEY(scenario, agent, seed, layer)) WITHOUT ROWID");
@@ -87,6 +89,10 @@ std::string WriteResults(const std::filesystem::path& file,
   for (const auto& [key, run] : records) {
     writer.Put(key).Put(Name(run.outcome)).Put(run.message).Put(run.time_s).Put(run.distance_m);
     writer.Put(run.collisions).Put(run.command).Insert();
+  }
+  writer.Prepare("INSERT INTO trajectories VALUES(?,?,?,?)");
+  for (const auto& [key, run] : records) {
+    if (!run.trajectory.empty()) writer.Put(key).Put(run.trajectory).Insert();
   }
   writer.Prepare("INSERT INTO layers VALUES(?,?,?,?,?,?,?,?,?,?)");
   for (const auto& [key, run] : records) {
@@ -106,13 +112,19 @@ std::string WriteTimings(const std::filesystem::path& file,
       "CREATE TABLE run_times(scenario TEXT, agent TEXT, seed INTEGER, wall_s REAL, cpu_s REAL,"
       " PRIMARY KEY(scenario, agent, seed)) WITHOUT ROWID;"
       "CREATE TABLE layer_times(scenario TEXT, agent TEXT, seed INTEGER, layer TEXT,"
-      " mean_us REAL, p99_us REAL, PRIMARY KEY(scenario, agent, seed, layer)) WITHOUT ROWID");
+      " mean_us REAL, p50_us REAL, p99_us REAL, PRIMARY KEY(scenario, agent, seed, layer)) WITHOUT "
+      "ROWID");
   writer.Prepare("INSERT INTO run_times VALUES(?,?,?,?,?)");
   for (const auto& [key, run] : records) writer.Put(key).Put(run.wall_s).Put(run.cpu_s).Insert();
-  writer.Prepare("INSERT INTO layer_times VALUES(?,?,?,?,?,?)");
+  writer.Prepare("INSERT INTO layer_times VALUES(?,?,?,?,?,?,?)");
   for (const auto& [key, run] : records) {
     for (const LayerRecord& layer : run.layers) {
-      writer.Put(key).Put(layer.name).Put(layer.mean_us).Put(layer.p99_us).Insert();
+      writer.Put(key)
+          .Put(layer.name)
+          .Put(layer.mean_us)
+          .Put(layer.p50_us)
+          .Put(layer.p99_us)
+          .Insert();
     }
   }
   return writer.Finish();

@@ -61,7 +61,8 @@ RunRecord Record(const std::string& contender, std::uint64_t seed, Outcome outco
   record.command = "latchwork run";
   record.time_s = time_s;
   record.duration_s = 600;
-  record.layers = {{"avoid", "pttp", 3, 1.5, 1, 2, 0, 10, 20}};
+  record.layers = {{"avoid", "pttp", 3, 1.5, 1, 2, 0, 10, 8, 20}};
+  record.trajectory = "1 2.5,3 4.25,3;2 9,9";
   return record;
 }
 

@@ -9,6 +9,7 @@
 #include "apps/compare/statistics/comparison.h"
 #include "apps/compare/statistics/holm.h"
 #include "apps/compare/statistics/sample_size.h"
+#include "apps/compare/statistics/shares.h"
 #include "latchwork/sdk/random.h"
 
 namespace latchwork::compare {
@@ -128,6 +129,57 @@ TEST(BootstrapTest, EqualValues_HaveNoWidth) {
   const Interval interval = BootstrapInterval(std::vector<double>{3, 3, 3}, 1);
   EXPECT_EQ(interval.low, 3);
   EXPECT_EQ(interval.high, 3);
+}
+
+// Newcombe, Two-sided confidence intervals for the single proportion (1998), table I, method 3.
+TEST(ShareTest, ScoreIntervals_AsPublished) {
+  const Interval many = Share(81, 263);
+  EXPECT_NEAR(many.low, 0.2553, 5e-5);
+  EXPECT_NEAR(many.high, 0.3662, 5e-5);
+  const Interval few = Share(15, 148);
+  EXPECT_NEAR(few.low, 0.0624, 5e-5);
+  EXPECT_NEAR(few.high, 0.1605, 5e-5);
+  EXPECT_NEAR(Share(0, 20).high, 0.1611, 5e-5);
+  EXPECT_NEAR(Share(1, 29).low, 0.0061, 5e-5);
+  EXPECT_NEAR(Share(1, 29).high, 0.1718, 5e-5);
+}
+
+TEST(ShareTest, NoRuns_SayNothing) {
+  EXPECT_EQ(Share(0, 0).high, 1);
+  EXPECT_EQ(DifferenceOfShares({0, 0}, 0).low, -1);
+}
+
+// The prime minister's approval again: 0.04, from 0.02 to 0.06.
+TEST(DifferenceOfSharesTest, Approval_AsPublished) {
+  const Interval difference = DifferenceOfShares({150, 86}, 1600);
+  EXPECT_NEAR(difference.mean, 0.04, 5e-4);
+  EXPECT_NEAR(difference.low, 0.02, 2e-3);
+  EXPECT_NEAR(difference.high, 0.06, 2e-3);
+  EXPECT_EQ(DifferenceOfShares({86, 150}, 1600).low, -difference.high);
+}
+
+TEST(DifferenceOfSharesTest, HoldsTheEstimateAtTheEdges) {
+  EXPECT_EQ(DifferenceOfShares({30, 0}, 30).high, 1);
+  EXPECT_LT(DifferenceOfShares({30, 0}, 30).low, 1);
+  EXPECT_LT(DifferenceOfShares({0, 0}, 30).low, 0);
+}
+
+TEST(DifferenceOfSharesTest, CoversTheTruthAsOftenAsItSays) {
+  const sdk::RandomStream stream(23, "pairs");
+  std::size_t covered = 0;
+  constexpr std::size_t kTrials = 4000;
+  for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
+    Discordant discordant;
+    for (std::uint64_t i = 0; i < 30; ++i) {
+      const double draw = stream.Uniform(trial, i);
+      if (draw < 0.3) ++discordant.only_first;
+      if (draw >= 0.3 && draw < 0.4) ++discordant.only_second;
+    }
+    const Interval interval = DifferenceOfShares(discordant, 30);
+    if (interval.low <= 0.2 && 0.2 <= interval.high) ++covered;
+  }
+  EXPECT_GE(covered, kTrials * 93 / 100);
+  EXPECT_LE(covered, kTrials * 98 / 100);
 }
 
 // Noether's formula by hand, for P(X + X' > 0) = 0.73: (1.645 + 1.282)^2 / (3 * 0.23^2) = 54.

@@ -199,7 +199,7 @@ TEST_F(OfficeWorldTest, Pictures_AreDrawnForEveryFloor) {
   DriveTo(PlaceOf("l1_s"));
   const TemporaryFolder folder;
   const auto files = world_.Draw(folder.path());
-  ASSERT_EQ(files.size(), 4U);
+  ASSERT_EQ(files.size(), 7U);
   for (const auto& file : files) EXPECT_GT(std::filesystem::file_size(file), 2000U) << file;
   EXPECT_TRUE(world_.Draw("/nowhere/at/all").empty());
 }
