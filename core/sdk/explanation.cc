@@ -47,6 +47,20 @@ std::string ToText(const Derivation& derivation) {
   return text;
 }
 
+namespace {
+
+/// What the steps conclude, one after the other.
+std::string Conclusions(const Derivation& derivation, bool quoted) {
+  std::string text;
+  for (const DerivationStep& step : derivation.steps) {
+    text += text.empty() ? "" : quoted ? "," : ", ";
+    text += quoted ? Quote(step.conclusion) : step.conclusion;
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string ToText(const Explanation& explanation) {
   std::string text;
   if (explanation.holds) {
@@ -59,6 +73,10 @@ std::string ToText(const Explanation& explanation) {
     text += fmt::format("  '{}' has {} of {} premises and lacks {}\n", miss.clause, miss.met,
                         miss.premises, miss.lacks);
   }
+  if (!explanation.derivation.steps.empty()) {
+    text +=
+        fmt::format("  some minimal world has {}\n", Conclusions(explanation.derivation, false));
+  }
   return text;
 }
 
@@ -66,7 +84,9 @@ std::string ToJson(const Explanation& explanation) {
   std::string json = fmt::format(R"({{"subject":{},"holds":{},"{}":[)", Quote(explanation.subject),
                                  explanation.holds, explanation.holds ? "because" : "misses");
   std::string_view separator;
+  const bool lists_world = !explanation.holds && !explanation.derivation.steps.empty();
   for (const DerivationStep& step : explanation.derivation.steps) {
+    if (lists_world) break;
     json +=
         fmt::format(R"({}{{"conclusion":{},"kind":"{}","source":{},"line":{}}})", separator,
                     Quote(step.conclusion), NameOf(step.kind), Quote(step.source), step.place.line);
@@ -78,7 +98,11 @@ std::string ToJson(const Explanation& explanation) {
                         Quote(miss.lacks));
     separator = ",";
   }
-  return json + "]}";
+  json += ']';
+  if (lists_world) {
+    json += fmt::format(R"(,"world":[{}])", Conclusions(explanation.derivation, true));
+  }
+  return json + '}';
 }
 
 }  // namespace latchwork::sdk

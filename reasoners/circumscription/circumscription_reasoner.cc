@@ -122,7 +122,7 @@ std::optional<sdk::Explanation> CircumscriptionReasoner::ExplainAssumption(std::
 }
 
 std::optional<sdk::Explanation> CircumscriptionReasoner::WhyNot(const logic::Atom& pattern) {
-  return was_exact_ ? exact_->WhyNot(pattern) : std::nullopt;
+  return was_exact_ ? exact_->WhyNot(last_, pattern) : std::nullopt;
 }
 
 }  // namespace latchwork::circumscription

@@ -71,6 +71,33 @@ Answer Engine::HoldsSomewhere(std::span<const Literal> conjunction) {
   return {answer.verdict == Verdict::kYes ? Verdict::kNo : Verdict::kYes, answer.basis};
 }
 
+std::optional<Model> Engine::CounterModel(Literal literal) {
+  Model candidate;
+  if (certified_) {
+    candidate = certificate_.ToModel();
+    if (!candidate.Holds(literal)) return candidate;
+    negation_ = {-literal};
+    Model varied;
+    if (search_->Vary(candidate, negation_, varied) != SatResult::kSatisfiable) return {};
+    return varied;
+  }
+  if (EntailsAlways({&literal, 1}).verdict != Verdict::kNo) return {};
+  negation_ = {-literal};
+  Model lower;
+  for (std::size_t calls = 0; calls < options_.calls; calls += 2) {
+    if (search_->Candidate(latches_, negation_, candidate) != SatResult::kSatisfiable) return {};
+    const SatResult result = search_->Below(candidate, literal, lower);
+    if (result == SatResult::kLimit) return {};
+    // No model below has the literal, so a minimal one below has it not.
+    if (result == SatResult::kUnsatisfiable) {
+      if (!Descend(candidate)) return {};
+      return minimal_.back();
+    }
+    search_->Learn(candidate, lower);
+  }
+  return {};
+}
+
 Answer Engine::IsInconsistent() {
   if (certified_) return {Verdict::kNo, Basis::kCertificate};
   Explore();

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -69,6 +70,8 @@ class Engine {
   Answer EntailsAlways(std::span<const Literal> clause);
   /// Whether some minimal model satisfies the conjunction (brave).
   Answer HoldsSomewhere(std::span<const Literal> conjunction);
+  /// A minimal model in which `literal` is false. Nothing: it holds in all, or the budget ran out.
+  std::optional<Model> CounterModel(Literal literal);
   /// Whether the theory has no model under the latches.
   Answer IsInconsistent();
 

@@ -129,8 +129,9 @@ void ExactDecider::ListAssumptions(sdk::Decision& decision) const {
 }
 
 std::optional<sdk::Explanation> ExactDecider::ExplainAssumption(std::size_t assumption) const {
+  if (searched_) return search_.ExplainAssumption(assumption);
   const auto defaults = evaluator_.defaults();
-  if (searched_ || assumption >= defaults.size()) return std::nullopt;
+  if (assumption >= defaults.size()) return std::nullopt;
   const AskedDefault& asked = defaults[assumption];
   const logic::Fact atom = evaluator_.DefaultAtom(asked);
   sdk::Explanation explanation{ToString(atom), asked.contrary != FactTable::kNone, {}, {}};
@@ -142,8 +143,9 @@ std::optional<sdk::Explanation> ExactDecider::ExplainAssumption(std::size_t assu
   return explanation;
 }
 
-std::optional<sdk::Explanation> ExactDecider::WhyNot(const logic::Atom& pattern) const {
-  if (searched_) return std::nullopt;
+std::optional<sdk::Explanation> ExactDecider::WhyNot(const sdk::Decision& decision,
+                                                     const logic::Atom& pattern) const {
+  if (searched_) return search_.WhyNot(decision, pattern);
   sdk::Explanation explanation{ToString(pattern), false, {}, {}};
   for (std::size_t i = 0; i < conclusions_.size() && !explanation.holds; ++i) {
     const logic::Fact fact = evaluator_.FactOf(conclusions_[i]);

@@ -34,11 +34,12 @@ class ExactDecider {
               sdk::Decision& decision);
   const std::string& reason() const { return reason_; }
   /// Why the default of an assumption was made, or what retracted it, in the last decision. Nothing
-  /// where this needed a search.
+  /// where there is no such assumption, or the search for reasons came to no end.
   std::optional<sdk::Explanation> ExplainAssumption(std::size_t assumption) const;
-  /// Why no instance of `pattern` is concluded, or how the first one is; as above.
-  std::optional<sdk::Explanation> WhyNot(const logic::Atom& pattern) const;
-  /// Of the last decision that was filled.
+  /// Why no instance of `pattern` is concluded, or how the first one is; as above. `decision`: the
+  /// last one that was filled.
+  std::optional<sdk::Explanation> WhyNot(const sdk::Decision& decision,
+                                         const logic::Atom& pattern) const;
   sdk::Derivation Explain(const sdk::Decision& decision, std::size_t conclusion) const;
 
  private:

@@ -60,20 +60,41 @@ std::string Describe(const GroundStore& store, const Evaluator& evaluator,
   return text;
 }
 
+namespace {
+
+using Kind = sdk::DerivationStep::Kind;
+
+/// What is given comes from a latch, an attachment or the body; all else is assumed.
+sdk::DerivationStep StepOf(const GroundStore& store, const Evaluator& evaluator,
+                           std::span<const std::string> ports, Literal literal) {
+  const Atom atom = AtomOf(literal);
+  const std::size_t relation = store.place(atom).relation;
+  const logic::Fact fact = FactOf(store, evaluator.bank(), evaluator.program().relations(), atom);
+  sdk::DerivationStep step;
+  step.kind = Kind::kAssumption;
+  step.conclusion = ToString(logic::Literal{literal > 0, fact});
+  step.source = fact.predicate().name();
+  if (store.theory().at(atom).role != Role::kFixed) return step;
+  step.kind = Kind::kLatch;
+  const std::uint32_t row = evaluator.table(relation).Find(store.Cells(atom));
+  if (row == FactTable::kNone) return step;
+  const FactInfo& info = evaluator.table(relation).info(row);
+  if (info.origin == FactInfo::Origin::kLatch) step.source = ports[info.source];
+  if (info.origin == FactInfo::Origin::kAttachment) step.kind = Kind::kAttachment;
+  return step;
+}
+
+}  // namespace
+
 sdk::Derivation DeriveFromCore(const GroundStore& store, const Evaluator& evaluator,
-                               const std::optional<Core>& core, const logic::Fact& fact) {
-  using Kind = sdk::DerivationStep::Kind;
+                               std::span<const std::string> ports, const std::optional<Core>& core,
+                               const logic::Fact& fact) {
   sdk::Derivation derivation;
-  const Relations& relations = evaluator.program().relations();
   if (core) {
+    const std::string contrary = ToString(logic::Literal{false, fact});
     for (const Literal literal : core->latches) {
-      sdk::DerivationStep step;
-      const Role role = store.theory().at(AtomOf(literal)).role;
-      step.kind = role == Role::kFixed ? Kind::kLatch : Kind::kAssumption;
-      const logic::Fact premise = FactOf(store, evaluator.bank(), relations, AtomOf(literal));
-      if (premise == fact && role != Role::kFixed) continue;
-      step.conclusion = ToString(logic::Literal{literal > 0, premise});
-      step.source = premise.predicate().name();
+      sdk::DerivationStep step = StepOf(store, evaluator, ports, literal);
+      if (step.kind == Kind::kAssumption && step.conclusion == contrary) continue;
       derivation.steps.push_back(std::move(step));
     }
     for (const std::size_t source : SourcesOf(store, *core)) {

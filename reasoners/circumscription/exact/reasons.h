@@ -28,9 +28,10 @@ std::string Describe(const GroundStore& store, const Evaluator& evaluator,
                      const std::optional<Core>& core);
 
 /// The facts, assumptions and clauses of a core as steps; the last one, which concludes `fact`,
-/// rests on all of them.
+/// rests on all of them. `ports`: names of the latches.
 sdk::Derivation DeriveFromCore(const GroundStore& store, const Evaluator& evaluator,
-                               const std::optional<Core>& core, const logic::Fact& fact);
+                               std::span<const std::string> ports, const std::optional<Core>& core,
+                               const logic::Fact& fact);
 
 }  // namespace latchwork::circumscription
 

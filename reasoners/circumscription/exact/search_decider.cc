@@ -7,6 +7,9 @@
 #include <climits>
 #include <utility>
 
+#include "reasoners/circumscription/exact/search_reasons.h"
+#include "reasoners/circumscription/explanation/near_miss.h"
+
 namespace latchwork::circumscription {
 namespace {
 
@@ -19,10 +22,18 @@ constexpr std::size_t kAlwaysKept = 2000;
 // Joint states are listed for no more undecided instances than these.
 constexpr std::size_t kMaxJoint = 6;
 
+EngineOptions Limits() {
+  EngineOptions options;
+  options.conflicts = kConflicts;
+  options.calls = kCalls;
+  return options;
+}
+
 }  // namespace
 
 SearchDecider::SearchDecider(const sdk::Body& body, logic::SymbolTable& symbols, bool is_brave)
     : body_(body),
+      symbols_(symbols),
       is_brave_(is_brave),
       program_(Program::Purpose::kGrounding, body, symbols),
       evaluator_(program_, this),
@@ -56,10 +67,7 @@ Evaluator::End SearchDecider::Ground(std::span<const sdk::Latch> latches,
 void SearchDecider::Prepare() {
   const std::size_t atoms = store_.theory().atoms.size();
   if (!engine_ || prepared_ != store_.size() || prepared_atoms_ != atoms) {
-    EngineOptions options;
-    options.conflicts = kConflicts;
-    options.calls = kCalls;
-    engine_ = std::make_unique<Engine>(store_.theory(), options);
+    engine_ = std::make_unique<Engine>(store_.theory(), Limits());
     prepared_ = store_.size();
     prepared_atoms_ = atoms;
   }
@@ -77,6 +85,8 @@ bool SearchDecider::IsCertain(std::span<const Literal> literals) {
 
 bool SearchDecider::Decide(std::span<const sdk::Latch> latches, const sdk::Budget& budget,
                            sdk::Decision& decision) {
+  ports_.resize(latches.size());
+  for (std::size_t i = 0; i < latches.size(); ++i) ports_[i] = latches[i].port;
   const Evaluator::End end = Ground(latches, budget);
   if (end == Evaluator::End::kRefused) return false;
   decision.Clear();
@@ -90,6 +100,7 @@ bool SearchDecider::Decide(std::span<const sdk::Latch> latches, const sdk::Budge
 
 void SearchDecider::Answer(sdk::Decision& decision) {
   Prepare();
+  assumed_.clear();
   made_.clear();
   concluded_.clear();
   undecided_.clear();
@@ -171,17 +182,15 @@ void SearchDecider::ListAssumption(std::size_t relation, std::uint32_t row,
   decision.assumptions.push_back(
       {evaluator_.FactOf(fact),
        is_made ? sdk::Assumption::State::kMade : sdk::Assumption::State::kRetracted});
+  assumed_.push_back(atom);
   made_.push_back(is_made ? contrary : 0);
 }
 
 /// What each conclusion rests on, as few assumptions as will do.
 void SearchDecider::ListGrounds(sdk::Decision& decision) const {
-  std::vector<Literal> made;
-  std::copy_if(made_.begin(), made_.end(), std::back_inserter(made),
-               [](Literal literal) { return literal != 0; });
   for (std::size_t i = 0; i < concluded_.size(); ++i) {
     if (concluded_[i] == 0) continue;
-    const auto core = ReasonsFor(store_.theory(), latches_, made, concluded_[i]);
+    const auto core = CoreOf(concluded_[i]);
     if (!core) continue;
     for (const Literal literal : core->latches) {
       const auto place = std::find(made_.begin(), made_.end(), literal);
@@ -211,18 +220,61 @@ void SearchDecider::ListStates(sdk::Decision& decision) {
   sdk::Unite(decision.states);
 }
 
+/// Latches, assumptions and clauses that make an atom hold; nothing where these do not suffice.
+std::optional<Core> SearchDecider::CoreOf(Atom atom) const {
+  std::vector<Literal> made;
+  std::copy_if(made_.begin(), made_.end(), std::back_inserter(made),
+               [](Literal literal) { return literal != 0; });
+  return ReasonsFor(store_.theory(), latches_, made, atom);
+}
+
 sdk::Derivation SearchDecider::Explain(const sdk::Decision& decision,
                                        std::size_t conclusion) const {
   if (conclusion >= concluded_.size() || conclusion >= decision.conclusions.size()) return {};
-  std::vector<Literal> made;
-  for (const Literal literal : made_) {
-    if (literal != 0) made.push_back(literal);
-  }
   std::optional<Core> core;
-  if (concluded_[conclusion] != 0) {
-    core = ReasonsFor(store_.theory(), latches_, made, concluded_[conclusion]);
+  if (concluded_[conclusion] != 0) core = CoreOf(concluded_[conclusion]);
+  return DeriveFromCore(store_, evaluator_, ports_, core, decision.conclusions[conclusion].fact);
+}
+
+std::optional<sdk::Explanation> SearchDecider::ExplainAssumption(std::size_t assumption) const {
+  if (assumption >= assumed_.size()) return std::nullopt;
+  const Atom atom = assumed_[assumption];
+  const logic::Fact fact = FactOf(store_, evaluator_.bank(), program_.relations(), atom);
+  if (made_[assumption] == 0) {
+    return sdk::Explanation{
+        ToString(fact), true, {}, DeriveFromCore(store_, evaluator_, ports_, CoreOf(atom), fact)};
   }
-  return DeriveFromCore(store_, evaluator_, core, decision.conclusions[conclusion].fact);
+  auto explanation = SearchReasons(store_, evaluator_, latches_, Limits()).WhyFalse(atom);
+  if (explanation) AddMisses(NearMissesOf(fact, evaluator_, symbols_), explanation->misses);
+  return explanation;
+}
+
+/// The first instance that may hold, an undecided one if there is one; 0: none may.
+Atom SearchDecider::FirstOpen(const logic::Atom& pattern) const {
+  Atom first = 0;
+  for (Atom atom = 1; atom <= static_cast<Atom>(store_.theory().atoms.size()); ++atom) {
+    if (store_.place(atom).is_given) continue;
+    const logic::Fact fact = FactOf(store_, evaluator_.bank(), program_.relations(), atom);
+    if (NameOf(fact) != NameOf(pattern) || (pattern.is_ground() && !(fact == pattern))) continue;
+    if (std::find(undecided_.begin(), undecided_.end(), atom) != undecided_.end()) return atom;
+    if (first == 0) first = atom;
+  }
+  return first;
+}
+
+std::optional<sdk::Explanation> SearchDecider::WhyNot(const sdk::Decision& decision,
+                                                      const logic::Atom& pattern) const {
+  for (std::size_t i = 0; i < decision.conclusions.size(); ++i) {
+    const logic::Fact& fact = decision.conclusions[i].fact;
+    if (NameOf(fact) != NameOf(pattern) || (pattern.is_ground() && !(fact == pattern))) continue;
+    return sdk::Explanation{ToString(pattern), true, {}, Explain(decision, i)};
+  }
+  std::vector<sdk::NearMiss> misses = NearMissesOf(pattern, evaluator_, symbols_);
+  const Atom atom = FirstOpen(pattern);
+  if (atom == 0) return sdk::Explanation{ToString(pattern), false, std::move(misses), {}};
+  auto explanation = SearchReasons(store_, evaluator_, latches_, Limits()).WhyFalse(atom);
+  if (explanation) AddMisses(std::move(misses), explanation->misses);
+  return explanation;
 }
 
 }  // namespace latchwork::circumscription

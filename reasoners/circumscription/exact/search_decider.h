@@ -4,10 +4,12 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "latchwork/sdk/explanation.h"
 #include "latchwork/sdk/reasoner.h"
 #include "reasoners/circumscription/engine/engine.h"
 #include "reasoners/circumscription/evaluation/evaluator.h"
@@ -34,6 +36,12 @@ class SearchDecider final : private InstanceSink {
               sdk::Decision& decision);
   const std::string& reason() const { return evaluator_.refusal(); }
   sdk::Derivation Explain(const sdk::Decision& decision, std::size_t conclusion) const;
+  /// Why the default of an assumption of the last decision was made, or what retracted it. Nothing:
+  /// there is no such assumption, or the search for reasons came to no end.
+  std::optional<sdk::Explanation> ExplainAssumption(std::size_t assumption) const;
+  /// Why no instance of `pattern` is concluded, or how the first one is.
+  std::optional<sdk::Explanation> WhyNot(const sdk::Decision& decision,
+                                         const logic::Atom& pattern) const;
 
  private:
   enum class Standing : std::uint8_t { kConcluded, kRefuted, kUndecided, kUnknown };
@@ -56,8 +64,11 @@ class SearchDecider final : private InstanceSink {
   void ListAssumption(std::size_t relation, std::uint32_t row, sdk::Decision& decision);
   void ListStates(sdk::Decision& decision);
   void ListGrounds(sdk::Decision& decision) const;
+  std::optional<Core> CoreOf(Atom atom) const;
+  Atom FirstOpen(const logic::Atom& pattern) const;
 
   const sdk::Body& body_;
+  logic::SymbolTable& symbols_;
   bool is_brave_;
   Program program_;
   Evaluator evaluator_;
@@ -67,7 +78,9 @@ class SearchDecider final : private InstanceSink {
   std::size_t prepared_ = 0;        ///< Size of the store that the engine stands for.
   std::size_t prepared_atoms_ = 0;  ///< And its atoms.
   std::unique_ptr<Engine> engine_;
+  std::vector<std::string> ports_;  ///< Of the latches.
   std::vector<Literal> latches_;
+  std::vector<Atom> assumed_;    ///< By assumption.
   std::vector<Literal> made_;    ///< By assumption; 0 where it is retracted.
   std::vector<Atom> concluded_;  ///< By conclusion; 0: the body says so.
   std::vector<Atom> undecided_;  ///< By undecided goal instance.

@@ -27,8 +27,8 @@ class Attempt {
         values_(clause_.variable_names.size()) {}
 
   /// Nothing: the clause does not conclude anything like `target`.
-  std::optional<sdk::NearMiss> Follow(const logic::Atom& target) {
-    const Literal& head = clause_.literals[rule_.heads.front().literal];
+  std::optional<sdk::NearMiss> Follow(const Head& concluded, const logic::Atom& target) {
+    const Literal& head = clause_.literals[concluded.literal];
     if (NameOf(head.atom) != NameOf(target)) return std::nullopt;
     for (std::size_t i = 0; i < target.arity(); ++i) {
       if (!MatchHead(head.atom.argument(i), target.argument(i))) return std::nullopt;
@@ -166,15 +166,27 @@ std::vector<sdk::NearMiss> NearMissesOf(const logic::Atom& target, const Evaluat
   const logic::Arithmetic arithmetic(symbols);
   std::vector<sdk::NearMiss> misses;
   for (const Rule& rule : evaluator.program().rules()) {
-    if (rule.heads.empty()) continue;
-    if (auto miss = Attempt(rule, evaluator, arithmetic).Follow(target)) {
+    for (const Head& head : rule.heads) {
+      auto miss = Attempt(rule, evaluator, arithmetic).Follow(head, target);
+      if (!miss) continue;
       misses.push_back(*std::move(miss));
+      break;
     }
   }
   std::stable_sort(misses.begin(), misses.end(), [](const auto& a, const auto& b) {
     return a.premises - a.met < b.premises - b.met;
   });
   return misses;
+}
+
+void AddMisses(std::vector<sdk::NearMiss> more, std::vector<sdk::NearMiss>& misses) {
+  const auto known = static_cast<std::ptrdiff_t>(misses.size());
+  for (sdk::NearMiss& miss : more) {
+    const bool is_known =
+        std::any_of(misses.begin(), misses.begin() + known,
+                    [&](const sdk::NearMiss& each) { return each.clause == miss.clause; });
+    if (!is_known) misses.push_back(std::move(miss));
+  }
 }
 
 }  // namespace latchwork::circumscription

@@ -17,6 +17,9 @@ namespace latchwork::circumscription {
 std::vector<sdk::NearMiss> NearMissesOf(const logic::Atom& target, const Evaluator& evaluator,
                                         logic::SymbolTable& symbols);
 
+/// Adds what clauses lack of which `misses` says nothing yet, after it.
+void AddMisses(std::vector<sdk::NearMiss> more, std::vector<sdk::NearMiss>& misses);
+
 }  // namespace latchwork::circumscription
 
 #endif  // LATCHWORK_REASONERS_CIRCUMSCRIPTION_EXPLANATION_NEAR_MISS_H_

@@ -2,7 +2,9 @@
 // The engine against the definition, on random theories.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +51,38 @@ void CompareWithOracle(std::uint64_t seed, int most_atoms, int cycles) {
       ASSERT_EQ(engine.EntailsAlways(query).verdict, VerdictOf(oracle.EntailsAlways(query)));
       ASSERT_EQ(engine.HoldsSomewhere(query).verdict, VerdictOf(oracle.HoldsSomewhere(query)));
     }
+  }
+}
+
+/// A counter-model is a minimal model by the definition, and has the atom false.
+void CheckCounterModels(std::uint64_t seed) {
+  Dice dice(seed);
+  const GroundTheory theory = RandomTheory(dice, 10);
+  const std::vector<Literal> latches = RandomLatches(dice, theory);
+  EngineOptions options;
+  options.use_certificate = seed % 2 != 0;
+  Engine engine(theory, options);
+  engine.SetLatches(latches);
+  const Oracle oracle(theory, latches);
+  SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + Describe(theory, latches));
+  for (Atom atom = 1; atom <= static_cast<Atom>(theory.atoms.size()); ++atom) {
+    const std::optional<Model> model = engine.CounterModel(atom);
+    ASSERT_EQ(model.has_value(), !oracle.EntailsAlways({&atom, 1})) << atom;
+    if (!model) continue;
+    Oracle::World world = 0;
+    for (Atom each = 1; each <= static_cast<Atom>(model->size()); ++each) {
+      if (model->Holds(each)) world |= 1U << static_cast<unsigned>(each - 1);
+    }
+    EXPECT_FALSE(HoldsIn(world, atom));
+    EXPECT_NE(std::find(oracle.minimal().begin(), oracle.minimal().end(), world),
+              oracle.minimal().end());
+  }
+}
+
+TEST(EngineCounterModelTest, IsAMinimalModelWithoutTheAtom) {
+  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+    CheckCounterModels(seed);
+    if (HasFatalFailure()) return;
   }
 }
 

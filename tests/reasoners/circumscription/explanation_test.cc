@@ -77,6 +77,94 @@ TEST_F(ExplanationTest, GoalsLackTheNearestPiece) {
   EXPECT_TRUE(mind_.reasoner.WhyNot(mind_.body.goals[0].pattern)->holds);
 }
 
+/// A theory that needs a search: which way to go is open, and penguins do not fly.
+class SearchedExplanationTest : public ::testing::Test {
+ protected:
+  SearchedExplanationTest()
+      : mind_(
+            "fof(some, axiom, ! [M] : (move(M) => (push(left) | push(right)))).\n"
+            "fof(told, axiom, ! [D] : (order(D) => push(D))).\n"
+            "fof(slow, axiom, ! [D] : (push(D) => slow)).\n"
+            "fof(birds, axiom, ! [X] : ((bird(X) & ~ abnormal(X)) => flies(X))).\n"
+            "fof(penguins, axiom, ! [X] : ~ (penguin(X) & flies(X))).\n") {
+    for (const char* name : {"move", "order", "bird", "penguin"}) mind_.Input(name, 1);
+    mind_.Minimize("push", 1);
+    mind_.Minimize("abnormal", 1);
+    mind_.Goal("push(D)", sdk::Goal::Answers::kAll);
+    mind_.Goal("flies(X)", sdk::Goal::Answers::kAll);
+    mind_.Goal("slow");
+    mind_.Parameter("mode", "exact");
+    mind_.Load();
+  }
+
+  std::string TextOf(std::size_t assumption) {
+    const auto explanation = mind_.reasoner.ExplainAssumption(assumption);
+    return explanation ? ToText(*explanation) : "none";
+  }
+
+  CircumscribingMind mind_;
+};
+
+TEST_F(SearchedExplanationTest, AssumptionsNameWhatClausesLackInEveryWorld) {
+  mind_.Latch(0, {"move(on)", "bird(opus)", "bird(tweety)", "penguin(opus)"});
+  mind_.Decide();
+  ASSERT_EQ(mind_.decision.assumptions.size(), 2U);
+  EXPECT_EQ(TextOf(0),
+            "abnormal(opus) holds:\n"
+            "  bird(opus)  [latch latch0]\n"
+            "  penguin(opus)  [latch latch0]\n"
+            "  ~ bird(X) | abnormal(X) | flies(X)  [clause birds]\n"
+            "  ~ penguin(X) | ~ flies(X)  [clause penguins]\n"
+            "  abnormal(opus)  [reduction minimal models]\n");
+  EXPECT_EQ(TextOf(1),
+            "nothing concludes abnormal(tweety):\n"
+            "  'birds' has 1 of 2 premises and lacks ~ flies(tweety)\n");
+  EXPECT_EQ(TextOf(2), "none");
+}
+
+TEST_F(SearchedExplanationTest, OpenGoalsShowAWorldWithoutThem) {
+  mind_.Latch(0, {"move(on)"});
+  mind_.Decide();
+  const auto explanation = mind_.reasoner.WhyNot(mind_.Atom("push(left)"));
+  ASSERT_TRUE(explanation.has_value());
+  EXPECT_EQ(ToText(*explanation),
+            "nothing concludes push(left):\n"
+            "  'some' has 1 of 2 premises and lacks ~ push(right)\n"
+            "  'told' has 0 of 1 premises and lacks order(left)\n"
+            "  some minimal world has ~ push(left), push(right)\n");
+  EXPECT_EQ(ToJson(*explanation),
+            "{\"subject\":\"push(left)\",\"holds\":false,\"misses\":["
+            "{\"clause\":\"some\",\"line\":1,\"met\":1,\"premises\":2,"
+            "\"lacks\":\"~ push(right)\"},"
+            "{\"clause\":\"told\",\"line\":2,\"met\":0,\"premises\":1,"
+            "\"lacks\":\"order(left)\"}],\"world\":[\"~ push(left)\",\"push(right)\"]}");
+  EXPECT_TRUE(mind_.reasoner.WhyNot(mind_.Atom("slow"))->holds);
+}
+
+TEST_F(SearchedExplanationTest, GoalsThatNoWorldHasLackTheNearestPiece) {
+  mind_.Latch(0, {"move(on)", "bird(opus)", "penguin(opus)"});
+  mind_.Decide();
+  EXPECT_EQ(ToText(*mind_.reasoner.WhyNot(mind_.Atom("flies(opus)"))),
+            "nothing concludes flies(opus):\n"
+            "  'birds' has 1 of 2 premises and lacks ~ abnormal(opus)\n");
+  EXPECT_EQ(ToText(*mind_.reasoner.WhyNot(mind_.Atom("flies(rex)"))),
+            "nothing concludes flies(rex):\n"
+            "  'birds' has 0 of 1 premises and lacks bird(rex)\n");
+}
+
+TEST_F(SearchedExplanationTest, AskingDoesNotChangeLaterCycles) {
+  mind_.Latch(0, {"move(on)", "bird(opus)"});
+  mind_.Decide();
+  const std::string before = ToText(*mind_.reasoner.WhyNot(mind_.Atom("push(left)")));
+  EXPECT_EQ(ToText(*mind_.reasoner.WhyNot(mind_.Atom("push(left)"))), before);
+  mind_.Latch(0, {"move(on)", "order(left)"});
+  mind_.Decide();
+  EXPECT_TRUE(mind_.reasoner.WhyNot(mind_.Atom("push(left)"))->holds);
+  mind_.Latch(0, {"move(on)", "bird(opus)"});
+  mind_.Decide();
+  EXPECT_EQ(ToText(*mind_.reasoner.WhyNot(mind_.Atom("push(left)"))), before);
+}
+
 TEST_F(ExplanationTest, BoundedDecisionsHaveNone) {
   CircumscribingMind mind(kReflex);
   mind.Goal("fwd(V)");
