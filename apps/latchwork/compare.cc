@@ -113,7 +113,7 @@ int RunExperiment(const Experiment& experiment, const CompareOptions& options,
       folder.WriteResults({LaunchOf(context),
                            {fmt::format("latchwork compare {} --out {}",
                                         options.experiment.string(), options.out.string()),
-                            "latchwork " LATCHWORK_VERSION}});
+                            "latchwork", LATCHWORK_VERSION}});
   fmt::print(stderr, "{}", folder.trouble().text);
   if (folder.trouble().kind == Trouble::Kind::kInput) return kInvalidInput;
   if (folder.trouble().kind == Trouble::Kind::kWriting) return kInternalError;

@@ -15,7 +15,8 @@ namespace latchwork::compare {
 /// How an experiment was made, for whoever wants to make it again.
 struct Making {
   std::string command;  ///< Of the whole experiment.
-  std::string version;  ///< Of the program.
+  std::string program = "latchwork";
+  std::string version;
 };
 
 /// All that a report is made of. What it points to outlives it.

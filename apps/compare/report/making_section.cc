@@ -28,11 +28,12 @@ std::string MakingSection(const ReportInput& input) {
   const Experiment& experiment = input.experiment;
   std::string section = fmt::format(
       "<section id=\"making\">\n<h2>How this was made</h2>\n<dl>\n<dt>Command</dt><dd><code>{}"
-      "</code></dd>\n<dt>Program</dt><dd>{}</dd>\n<dt>Seeds</dt><dd>{} to {}, the same for all "
+      "</code></dd>\n<dt>Program</dt><dd>{} {}</dd>\n<dt>Seeds</dt><dd>{} to {}, the same for all "
       "agents</dd>\n<dt>A run is ended</dt><dd>after {:g} s on the clock, or beyond {} MB</dd>\n"
       "<dt>Scenarios</dt>",
-      Escaped(input.making.command), Escaped(input.making.version), experiment.first_seed,
-      experiment.last_seed, experiment.limits.wall_seconds, experiment.limits.memory_mb);
+      Escaped(input.making.command), Escaped(input.making.program), Escaped(input.making.version),
+      experiment.first_seed, experiment.last_seed, experiment.limits.wall_seconds,
+      experiment.limits.memory_mb);
   for (const Scenario& scenario : experiment.scenarios) {
     section += fmt::format("<dd>{}: <code>{}</code></dd>\n", Escaped(scenario.name),
                            Escaped(scenario.file.string()));

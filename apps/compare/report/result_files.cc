@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "apps/compare/report/findings.h"
+#include "apps/compare/report/ompl_log.h"
 #include "apps/compare/storage/database.h"
 
 namespace latchwork::compare {
@@ -33,9 +34,13 @@ WrittenResults WriteResultFiles(const std::filesystem::path& folder, const Exper
     written.problems += fmt::format("{}: {}\n", (folder / name).string(), problem);
   };
   note("report.txt", WriteText(folder / "report.txt", written.report));
-  note("report.html", WriteText(folder / "report.html",
-                                ToHtml({experiment, records, findings,
-                                        BuildingsOf(experiment, origin.launch), origin.making})));
+  const std::map<std::string, Building> buildings = BuildingsOf(experiment, origin.launch);
+  const ReportInput input{experiment, records, findings, buildings, origin.making};
+  note("report.html", WriteText(folder / "report.html", ToHtml(input)));
+  for (const Scenario& scenario : experiment.scenarios) {
+    const std::string name = fmt::format("ompl-{}.log", scenario.name);
+    note(name.c_str(), WriteText(folder / name, ToOmplLog(input, scenario.name)));
+  }
   note("runs.csv", WriteText(folder / "runs.csv", ToCsv(records)));
   note("results.sqlite", WriteResults(folder / "results.sqlite", records));
   note("timings.sqlite", WriteTimings(folder / "timings.sqlite", records));
