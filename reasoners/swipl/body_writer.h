@@ -10,12 +10,16 @@
 #include <vector>
 
 #include "latchwork/logic/clause.h"
+#include "reasoners/contrapositives/signed_graph.h"
 #include "reasoners/swipl/names.h"
-#include "reasoners/swipl/signed_graph.h"
 #include "reasoners/swipl/vocabulary.h"
 
 namespace latchwork::swipl {
 
+using contrapositives::ComplementOf;
+using contrapositives::Signed;
+using contrapositives::SignedGraph;
+using contrapositives::SignedOf;
 using Variables = std::set<logic::Variable>;
 void AddVariables(const logic::Term& term, Variables& variables);
 

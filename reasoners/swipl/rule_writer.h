@@ -10,9 +10,9 @@
 
 #include "latchwork/logic/clause.h"
 #include "latchwork/sdk/reasoner.h"
+#include "reasoners/contrapositives/signed_graph.h"
 #include "reasoners/swipl/body_writer.h"
 #include "reasoners/swipl/names.h"
-#include "reasoners/swipl/signed_graph.h"
 #include "reasoners/swipl/vocabulary.h"
 
 namespace latchwork::swipl {

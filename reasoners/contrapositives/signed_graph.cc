@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reasoners/swipl/signed_graph.h"
+#include "reasoners/contrapositives/signed_graph.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace latchwork::swipl {
+namespace latchwork::contrapositives {
 
 SignedGraph::SignedGraph(std::vector<Rule> rules, std::vector<Predicate> predicates)
     : rules_(std::move(rules)), predicates_(std::move(predicates)) {
@@ -97,4 +97,4 @@ bool SignedGraph::DropDeadRules() {
   return dropped;
 }
 
-}  // namespace latchwork::swipl
+}  // namespace latchwork::contrapositives

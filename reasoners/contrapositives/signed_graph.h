@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LATCHWORK_SWIPL_SIGNED_GRAPH_H_
-#define LATCHWORK_SWIPL_SIGNED_GRAPH_H_
+#ifndef LATCHWORK_CONTRAPOSITIVES_SIGNED_GRAPH_H_
+#define LATCHWORK_CONTRAPOSITIVES_SIGNED_GRAPH_H_
 
 #include <cstddef>
 #include <vector>
 
-namespace latchwork::swipl {
+namespace latchwork::contrapositives {
 
 /// A predicate with a sign, as an index: the complement of 2n is 2n + 1, which is positive.
 using Signed = std::size_t;
@@ -56,6 +56,6 @@ class SignedGraph {
   std::vector<bool> independent_;
 };
 
-}  // namespace latchwork::swipl
+}  // namespace latchwork::contrapositives
 
-#endif  // LATCHWORK_SWIPL_SIGNED_GRAPH_H_
+#endif  // LATCHWORK_CONTRAPOSITIVES_SIGNED_GRAPH_H_
