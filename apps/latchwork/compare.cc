@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -10,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/compare/dispatch/slurm_scripts.h"
 #include "apps/compare/folder/result_folder.h"
 #include "apps/compare/runs/run_queue.h"
 #include "apps/compare/statistics/sample_size.h"
@@ -32,9 +34,14 @@ struct CompareOptions {
   std::string shard = "1/1";
   std::vector<std::filesystem::path> merge;
   unsigned jobs = 1;
+  std::size_t slurm_shards = 0;
+  bool slurm = false;
   bool plan = false;
   bool quiet = false;
 };
+
+/// A task of an array should last for a minute or more: starting one takes seconds.
+constexpr std::size_t kUsualShards = 16;
 
 std::atomic<bool> interrupted = false;
 void Interrupt(int /*signal*/) { interrupted = true; }
@@ -52,25 +59,14 @@ compare::Shard ParseShard(const std::string& text) {
   return {index - 1, count};
 }
 
-compare::Launch LaunchOf(const Context& context) {
-  compare::Launch launch{context.executable, {}};
-  for (const std::filesystem::path& plugins : context.plugin_folders) {
-    launch.arguments.insert(launch.arguments.end(),
-                            {"--plugin-path", std::filesystem::absolute(plugins).string()});
-  }
-  return launch;
-}
-
 void MakeMissing(const Experiment& experiment, const CompareOptions& options,
                  const Context& context, ResultFolder& folder) {
   const std::vector<PlannedRun> missing = folder.Missing(ParseShard(options.shard));
   Progress progress("runs", options.quiet);
   std::size_t done = 0;
   compare::QueueOptions queue;
-  const compare::Launch launch = LaunchOf(context);
-  queue.program = launch.program;
-  queue.arguments = launch.arguments;
-  queue.limits = experiment.limits;
+  queue.command = {compare::LaunchOf(context.executable, context.plugin_folders),
+                   experiment.limits};
   queue.jobs = options.jobs;
   queue.on_done = [&](const RunRecord& record) {
     progress.Update(++done, missing.size());
@@ -109,11 +105,11 @@ int RunExperiment(const Experiment& experiment, const CompareOptions& options,
   if (folder.trouble().kind == Trouble::Kind::kNone) {
     MakeMissing(experiment, options, context, folder);
   }
-  const std::string report =
-      folder.WriteResults({LaunchOf(context),
-                           {fmt::format("latchwork compare {} --out {}",
-                                        options.experiment.string(), options.out.string()),
-                            "latchwork", LATCHWORK_VERSION}});
+  const std::string report = folder.WriteResults(
+      {compare::LaunchOf(context.executable, context.plugin_folders),
+       {fmt::format("latchwork compare {} --out {}", compare::ForShell(options.experiment.string()),
+                    compare::ForShell(options.out.string())),
+        "latchwork", LATCHWORK_VERSION}});
   fmt::print(stderr, "{}", folder.trouble().text);
   if (folder.trouble().kind == Trouble::Kind::kInput) return kInvalidInput;
   if (folder.trouble().kind == Trouble::Kind::kWriting) return kInternalError;
@@ -121,6 +117,31 @@ int RunExperiment(const Experiment& experiment, const CompareOptions& options,
   if (!interrupted) return kDone;
   fmt::print(stderr, "stopped; the same command goes on from here\n");
   return kGoalNotReached;
+}
+
+/// A shard keeps all agents of a scenario and a seed together: there are no more than those.
+int WriteForSlurm(const Experiment& experiment, const CompareOptions& options,
+                  const Context& context) {
+  const std::size_t parts =
+      experiment.scenarios.size() *
+      static_cast<std::size_t>(experiment.last_seed - experiment.first_seed + 1);
+  compare::SlurmJob job;
+  job.name = experiment.name;
+  job.working_folder = std::filesystem::current_path();
+  job.launch = compare::LaunchOf(context.executable, context.plugin_folders);
+  job.experiment = options.experiment;
+  job.out = options.out;
+  job.shards = std::min(parts, options.slurm_shards == 0 ? kUsualShards : options.slurm_shards);
+  job.jobs = options.jobs;
+  const std::string problem = WriteSlurmScripts(job);
+  if (!problem.empty()) {
+    fmt::print(stderr, "{}\n", problem);
+    return kInternalError;
+  }
+  fmt::print("to submit {} shards of {} runs, and their merging:\n  sh {}\n", job.shards,
+             PlanRuns(experiment).size(),
+             compare::ForShell((job.out / "slurm" / "submit.sh").string()));
+  return kDone;
 }
 
 int Compare(const CompareOptions& options, const Context& context) {
@@ -133,6 +154,7 @@ int Compare(const CompareOptions& options, const Context& context) {
     ShowPlan(*file.experiment);
     return kDone;
   }
+  if (options.slurm) return WriteForSlurm(*file.experiment, options, context);
   return RunExperiment(*file.experiment, options, context);
 }
 
@@ -153,6 +175,7 @@ constexpr const char* kFooter =
     "  latchwork compare examples/compare/smoke.xml --out out/smoke -j 2\n"
     "  latchwork compare examples/compare/smoke.xml --plan\n"
     "  latchwork compare office.xml --shard 2/4 --out out/second      (on another machine)\n"
+    "  latchwork compare office.xml --slurm 20 --out out/office\n"
     "  latchwork compare office.xml --merge out/first --merge out/second --out out/all\n";
 
 }  // namespace
@@ -168,10 +191,15 @@ void AddCompare(CLI::App& app, Context& context) {
       ->add_option("--merge", options->merge,
                    "Take over the runs that are done in this folder; may be repeated")
       ->allow_extra_args(false);
+  auto* slurm = command->add_option("--slurm", options->slurm_shards,
+                                    "Run nothing: write scripts for SLURM, an array of so many "
+                                    "shards (default 16) and a job that merges them");
+  slurm->expected(0, 1)->check(CLI::Range(1, 1000));
   command->add_flag("--plan", options->plan, "Say how many runs, and how many seeds are needed");
   command->add_flag("-q,--quiet", options->quiet, "No progress");
   command->footer(kFooter);
-  command->callback([options, &context] {
+  command->callback([options, slurm, &context] {
+    options->slurm = slurm->count() > 0;
     ParseShard(options->shard);
     if (options->out.empty()) {
       options->out = std::filesystem::path("out") / options->experiment.stem();

@@ -28,7 +28,7 @@ struct Part {
   std::string_view folder;
   std::string_view sees;
 };
-constexpr std::array<Part, 17> kParts = {{
+constexpr std::array<Part, 18> kParts = {{
     {"core/logic/", ""},
     {"core/process/", ""},
     {"core/sdk/", "logic"},
@@ -44,6 +44,7 @@ constexpr std::array<Part, 17> kParts = {{
     {"worlds/", "logic sdk"},
     {"apps/check_proof/", "logic"},
     {"apps/compare/", "logic sdk config process"},
+    {"apps/latchwork_mpi/", "logic apps/compare apps/latchwork"},
     {"apps/",
      "logic sdk config plugin schedule record reasoners/circumscription reasoners/icarus "
      "reasoners/pttp apps/check_proof apps/compare"},
@@ -55,7 +56,7 @@ struct Confinement {
   std::string_view prefix;
   std::string_view folders;
 };
-constexpr std::array<Confinement, 17> kConfinements = {{
+constexpr std::array<Confinement, 18> kConfinements = {{
     {"mrpt/", "worlds/office/"},
     {"opencv2/", ""},
     {"Eigen/", ""},
@@ -65,6 +66,7 @@ constexpr std::array<Confinement, 17> kConfinements = {{
     {"boost/dll/", "core/plugin/"},
     {"boost/math/", "apps/compare/"},
     {"sqlite3.h", "apps/compare/"},
+    {"mpi.h", "apps/latchwork_mpi/"},
     {"dlfcn.h", "core/config/ core/plugin/"},
     {"cadical", "reasoners/circumscription/"},
     {"CLI/", "apps/"},
@@ -77,8 +79,8 @@ constexpr std::array<Confinement, 17> kConfinements = {{
     {"benchmark/", "tests/bench/"},
 }};
 
-constexpr std::array<std::string_view, 5> kSingleUser = {"xercesc/", "boost/dll/", "cadical",
-                                                         "sqlite3.h", "png.h"};
+constexpr std::array<std::string_view, 6> kSingleUser = {"xercesc/", "boost/dll/", "cadical",
+                                                         "mpi.h",    "sqlite3.h",  "png.h"};
 
 std::vector<std::string> Words(std::string_view text) {
   std::istringstream stream{std::string(text)};

@@ -3,14 +3,13 @@
 #define LATCHWORK_APPS_COMPARE_REPORT_FLOOR_PLAN_H_
 
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "apps/compare/experiment/experiment.h"
+#include "apps/compare/runs/launch.h"
 
 namespace latchwork::compare {
 
@@ -29,12 +28,6 @@ using Building = std::map<std::int64_t, FloorPlan>;
 
 /// From a drawing of sdk::Svg; nothing when it is none.
 std::optional<FloorPlan> ReadPlan(std::string_view svg);
-
-/// How a run is started.
-struct Launch {
-  std::filesystem::path program;
-  std::vector<std::string> arguments;  ///< Before those of the run.
-};
 
 /// Lets the world of every scenario draw itself ("plan1.svg" for floor 1), in a process of its own
 /// that runs for one tick. A world that draws no plans has an empty building. By scenario.

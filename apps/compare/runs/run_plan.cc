@@ -21,7 +21,9 @@ std::vector<std::string> ArgumentsOf(const Scenario& scenario, const Contender& 
   return arguments;
 }
 
-std::string Quoted(const std::string& word) {
+}  // namespace
+
+std::string ForShell(const std::string& word) {
   constexpr std::string_view kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./=:,+@%";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
@@ -30,11 +32,9 @@ std::string Quoted(const std::string& word) {
   return quoted + '\'';
 }
 
-}  // namespace
-
 std::string CommandOf(const PlannedRun& run) {
   std::string command = "latchwork";
-  for (const std::string& word : run.arguments) command += ' ' + Quoted(word);
+  for (const std::string& word : run.arguments) command += ' ' + ForShell(word);
   return command;
 }
 

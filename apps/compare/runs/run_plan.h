@@ -32,6 +32,9 @@ struct PlannedRun {
   std::vector<std::string> arguments;
 };
 
+/// A word that a shell takes as it is.
+std::string ForShell(const std::string& word);
+
 /// What a person types to repeat a run, quoted for a shell.
 std::string CommandOf(const PlannedRun& run);
 

@@ -4,26 +4,33 @@
 
 #include <atomic>
 #include <cstddef>
-#include <filesystem>
 #include <functional>
-#include <string>
+#include <optional>
 #include <vector>
 
+#include "apps/compare/runs/launch.h"
 #include "apps/compare/runs/run_record.h"
 
 namespace latchwork::compare {
 
-struct QueueOptions {
-  std::filesystem::path program;       ///< What makes a run: latchwork itself.
-  std::vector<std::string> arguments;  ///< Before those of the run.
+/// How runs are made.
+struct RunCommand {
+  Launch launch;
   RunLimits limits;
+};
+
+/// One run, in a process of its own. Nothing when it was cut off because `stop` was set.
+std::optional<RunRecord> MakeRun(const PlannedRun& run, const RunCommand& command,
+                                 const std::atomic<bool>& stop);
+
+struct QueueOptions {
+  RunCommand command;
   unsigned jobs = 1;
   /// Told of each run that ended, one at a time; false ends the work.
   std::function<bool(const RunRecord& record)> on_done;
 };
 
-/// Makes runs, each in a process of its own, `jobs` at a time, in order. Runs that were cut off
-/// because `stop` was set are told to nobody.
+/// Makes runs, `jobs` at a time, in order. Runs that were cut off are told to nobody.
 void MakeRuns(const std::vector<PlannedRun>& runs, const QueueOptions& options,
               std::atomic<bool>& stop);
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LATCHWORK_APPS_LATCHWORK_MPI_WORKER_H_
+#define LATCHWORK_APPS_LATCHWORK_MPI_WORKER_H_
+
+#include "apps/compare/runs/run_queue.h"
+#include "apps/latchwork_mpi/mpi_link.h"
+
+namespace latchwork::mpi {
+
+enum class Ending { kTogether, kLeave, kMasterSilent };
+
+/// Makes the runs that the master, process 0, gives it, until it is sent away or the master has
+/// been silent for `endurance` seconds. The limits of `command` are those of the task.
+Ending Work(MpiLink& link, compare::RunCommand command, double endurance_seconds);
+
+}  // namespace latchwork::mpi
+
+#endif  // LATCHWORK_APPS_LATCHWORK_MPI_WORKER_H_
