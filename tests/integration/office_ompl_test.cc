@@ -85,18 +85,6 @@ TEST(OfficeOmplTest, SameSeed_SameJournal_WithThreadsToo) {
   EXPECT_TRUE(JournalOf("3") == journal);
 }
 
-/// The goal's only door is shut before anybody sets out.
-TEST(OfficeOmplTest, RoomWalledIn_RefutedWithinTheBudget) {
-  const auto runs = RunSeeds("office/scenario1.xml", "1-2",
-                             {"--scenario", kPlanners, "--ticks", "100", "--set",
-                              "world.goal=r1_01", "--set", "world.shut=d1_01"});
-  ASSERT_EQ(runs.size(), 2U);
-  for (const auto& run : runs) {
-    EXPECT_NE(run.at("outcome"), "reached");
-    EXPECT_TRUE(run.at("faults").empty());
-  }
-}
-
 TEST(OfficeOmplTest, WrongMap_NamedWithLineAndColumn) {
   const test::TemporaryFolder folder;
   const CommandResult result =
