@@ -30,6 +30,26 @@ TEST_F(CompareCommandTest, SameAgentTwiceAndAHandicap_NothingAndTheHandicapAreFo
   EXPECT_EQ(ReadText(scratch_.path() / "all/report.txt"), result.out);
 }
 
+TEST_F(CompareCommandTest, Controls_BehaveWithFewerSeeds) {
+  std::string controls = ReadText(LATCHWORK_SOURCE_DIR "/examples/compare/controls.xml");
+  const auto replace = [&](const std::string& what, const std::string& by) {
+    const std::size_t at = controls.find(what);
+    ASSERT_NE(at, std::string::npos) << what;
+    controls.replace(at, what.size(), by);
+  };
+  replace("1-30", "1-8");
+  replace("../office", LATCHWORK_SOURCE_DIR "/examples/office");
+  WriteText(scratch_.path() / "towers.xml", controls);
+  const CommandResult result = Compare({"--out", "controls", "-j", "2"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out,
+              HasSubstr("controls: Against pttp, slow is slower in next_door. No difference from "
+                        "pttp is shown for same.\n"));
+  EXPECT_THAT(result.out, ::testing::Not(HasSubstr("the same with every seed")))
+      << "the control meets other worlds";
+  EXPECT_THAT(ReadText(scratch_.path() / "controls/report.html"), HasSubstr("id=\"trajectories\""));
+}
+
 TEST_F(CompareCommandTest, Shards_GiveTheSameBytesWhateverTheirNumber) {
   WriteText(scratch_.path() / "towers.xml", Experiment("seeds=\"1-4\""));
   ASSERT_EQ(Compare({"--out", "all"}).exit_code, 0);

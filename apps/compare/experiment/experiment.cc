@@ -38,6 +38,7 @@ constexpr std::string_view kSchema = R"xsd(<?xml version="1.0" encoding="UTF-8"?
     </xs:choice>
     <xs:attribute name="name" type="Name" use="required"/>
     <xs:attribute name="fragment" type="Path"/>
+    <xs:attribute name="seed_offset" type="Offset"/>
   </xs:complexType>
   <xs:complexType name="Set">
     <xs:attribute name="name" type="Setting" use="required"/>
@@ -54,6 +55,10 @@ constexpr std::string_view kSchema = R"xsd(<?xml version="1.0" encoding="UTF-8"?
   <xs:simpleType name="Seeds">
     <xs:annotation><xs:documentation>seeds, the first and the last, as in 1-30</xs:documentation></xs:annotation>
     <xs:restriction base="xs:string"><xs:pattern value="[0-9]{1,9}-[0-9]{1,9}"/></xs:restriction>
+  </xs:simpleType>
+  <xs:simpleType name="Offset">
+    <xs:annotation><xs:documentation>a number that is added to the seeds, as in 1000</xs:documentation></xs:annotation>
+    <xs:restriction base="xs:string"><xs:pattern value="[0-9]{1,9}"/></xs:restriction>
   </xs:simpleType>
   <xs:simpleType name="Level">
     <xs:annotation><xs:documentation>a level of significance between 0 and 1, as in 0.05</xs:documentation></xs:annotation>
@@ -150,7 +155,10 @@ class Reader {
       experiment_.scenarios.push_back({name, PathOf(*child.Find("file"))});
       return;
     }
-    Contender contender{name, std::nullopt, {}};
+    Contender contender{name, std::nullopt, {}, 0};
+    if (const auto* offset = child.Find("seed_offset")) {
+      contender.seed_offset = NumberOf(offset->value);
+    }
     if (const auto* fragment = child.Find("fragment")) contender.fragment = PathOf(*fragment);
     for (const config::Element& set : child.children) {
       contender.settings.push_back(set.Find("name")->value + "=" + set.Find("value")->value);

@@ -25,6 +25,7 @@ struct Contender {
   std::string name;
   std::optional<std::filesystem::path> fragment;  ///< Overrides that come on top.
   std::vector<std::string> settings;              ///< PART.NAME=VALUE, after the fragment.
+  std::uint64_t seed_offset = 0;  ///< Added to every seed: a control that meets other worlds.
 };
 
 /// What one run may use before it is ended.

@@ -13,6 +13,7 @@ std::string Describe(const Contender& contender) {
   for (const std::string& setting : contender.settings) {
     text += fmt::format(", <code>--set {}</code>", Escaped(setting));
   }
+  if (contender.seed_offset > 0) text += fmt::format(", seeds + {}", contender.seed_offset);
   return text;
 }
 

@@ -9,7 +9,7 @@ namespace {
 std::vector<std::string> ArgumentsOf(const Scenario& scenario, const Contender& contender,
                                      std::uint64_t seed) {
   std::vector<std::string> arguments = {"run", scenario.file.string(), "--seed",
-                                        std::to_string(seed)};
+                                        std::to_string(seed + contender.seed_offset)};
   if (contender.fragment) {
     arguments.emplace_back("--scenario");
     arguments.push_back(contender.fragment->string());

@@ -110,6 +110,16 @@ TEST(FindingsTest, AgentThatAlwaysFails_IsSlowerAndReachesLess) {
   EXPECT_EQ(findings.failures.size(), 12U);
 }
 
+TEST(RunPlanTest, SeedOffset_IsOfTheWorldNotOfThePair) {
+  Experiment experiment;
+  experiment.scenarios = {{"a", "a.xml"}};
+  experiment.contenders = {{"one", {}, {}}, {"two", {}, {}, 1000}};
+  const std::vector<PlannedRun> runs = PlanRuns(experiment);
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_EQ(runs[1].key.seed, 1U);
+  EXPECT_EQ(CommandOf(runs[1]), "latchwork run a.xml --seed 1001");
+}
+
 TEST(RunPlanTest, AgentsOfASeedStayInOneShard) {
   Experiment experiment;
   experiment.last_seed = 4;

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -232,6 +233,44 @@ TEST(ComparisonTest, SameAgentTwice_NothingIsFound) {
     EXPECT_EQ(OnSuccess(each, 0.05), Verdict::kNoDifferenceShown);
     EXPECT_EQ(OnTime(each, 0.05), Verdict::kNoDifferenceShown);
   }
+}
+
+// Thousands of experiments in which there is nothing to find, with failures and ties: two agents
+// against a third that is no different, in seeds of unequal difficulty.
+TEST(ComparisonTest, SameAgents_AreToldApartAsSeldomAsTheLevelSays) {
+  constexpr std::size_t kExperiments = 2000;
+  constexpr std::uint64_t kSeeds = 12;
+  const sdk::RandomStream difficulty(29, "difficulty");
+  const sdk::RandomStream luck(29, "luck");
+  const auto play = [&](std::uint64_t experiment, std::uint64_t agent) {
+    std::vector<RunScore> runs;
+    for (std::uint64_t i = 0; i < kSeeds; ++i) {
+      const std::uint64_t draw = (experiment * kSeeds + i) * 3 + agent;
+      const double hard = difficulty.Uniform(experiment, i);
+      runs.push_back({luck.Uniform(draw) >= 0.5 * hard,
+                      std::round(60 + 30 * hard + 4 * luck.Gaussian(draw, 1))});
+    }
+    return runs;
+  };
+  std::size_t with_a_finding = 0;
+  std::size_t alone = 0;
+  for (std::uint64_t experiment = 0; experiment < kExperiments; ++experiment) {
+    const std::vector<RunScore> first = play(experiment, 0);
+    std::vector<Comparison> comparisons = {Compare(first, play(experiment, 1), 120, experiment),
+                                           Compare(first, play(experiment, 2), 120, experiment)};
+    CorrectTogether(comparisons);
+    const bool found = std::ranges::any_of(comparisons, [](const Comparison& each) {
+      return OnSuccess(each, 0.05) != Verdict::kNoDifferenceShown ||
+             OnTime(each, 0.05) != Verdict::kNoDifferenceShown;
+    });
+    if (found) ++with_a_finding;
+    if (comparisons[0].times.p <= 0.05) ++alone;
+  }
+  // 4.5 standard deviations of the binomial distribution: 1 in 300,000 where the level holds.
+  const double bound = kExperiments * 0.05 + 4.5 * std::sqrt(kExperiments * 0.05 * 0.95);
+  EXPECT_LE(static_cast<double>(with_a_finding), bound);
+  EXPECT_LE(static_cast<double>(alone), bound);
+  EXPECT_GE(with_a_finding, kExperiments / 100) << "tests that find nothing at all prove nothing";
 }
 
 TEST(ComparisonTest, Handicap_IsFoundDespiteTheSpreadOfScenarios) {
