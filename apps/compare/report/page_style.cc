@@ -24,7 +24,7 @@ std::string_view PageStyle() {
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--paper); color: var(--ink);
   font: 1rem/1.55 system-ui, -apple-system, "Segoe UI", "Liberation Sans", sans-serif; }
-main { max-width: 70rem; margin: 0 auto; padding: 2rem 1rem 4rem; }
+main { max-width: 74rem; margin: 0 auto; padding: 2rem 1rem 4rem; }
 h1 { font-size: 1.75rem; line-height: 1.2; margin: 0 0 .75rem; }
 h2 { font-size: 1.25rem; line-height: 1.3; margin: 3rem 0 .5rem; padding-top: .75rem;
   border-top: 1px solid var(--rule); }
@@ -43,13 +43,12 @@ ul { padding-left: 1.25rem; }
 .keys { display: flex; flex-wrap: wrap; gap: .25rem 1.25rem; list-style: none; padding: 0;
   max-width: none; }
 .scroll { overflow-x: auto; margin: 0 0 1rem; }
-table { border-collapse: collapse; font-size: .875rem; font-variant-numeric: tabular-nums; }
+table { border-collapse: collapse; font-size: .8125rem; font-variant-numeric: tabular-nums; }
 caption { text-align: left; color: var(--soft); padding-bottom: .375rem; }
-th, td { padding: .25rem .625rem; text-align: right; vertical-align: top; white-space: nowrap;
+th, td { padding: .25rem .5rem; text-align: right; vertical-align: top; white-space: nowrap;
   border-bottom: 1px solid var(--rule); }
 th { font-weight: 600; }
 thead th { vertical-align: bottom; border-bottom-color: var(--soft); }
-thead th { white-space: normal; max-width: 9rem; }
 thead th:first-child, th[scope=rowgroup], tbody td:first-child { padding-left: 0; }
 td { font-weight: 400; }
 tr.group:not(:first-child) > * { border-top: 2px solid var(--rule); }
@@ -117,6 +116,7 @@ dd { margin: 0 0 .5rem; overflow-wrap: anywhere; }
   table { font-size: 7.5pt; }
   th, td { padding: .15rem .35rem; }
   thead { display: table-header-group; }
+  thead th { white-space: normal; }
   tr, .verdicts > div { break-inside: avoid; }
   h2, h3 { break-after: avoid; }
   .verdicts > div { border: 1px solid var(--rule); }

@@ -49,18 +49,17 @@ std::vector<std::string> Cells(const ReportInput& input, const std::vector<Outco
 std::string SuccessSection(const ReportInput& input) {
   const std::string first = Escaped(input.experiment.contenders.front().name);
   const std::vector<Outcome> failures = FailuresIn(input.findings);
-  std::vector<std::string> heads = {"reached", "95 % of the share"};
+  std::vector<std::string> heads = {"reached", "share (95 %)"};
   for (const Outcome outcome : failures) heads.emplace_back(Name(outcome));
-  for (const char* head : {"points more (95 %)", "only this / only the first", "p", "p, Holm"}) {
+  for (const char* head : {"points more (95 %)", "won / lost", "p", "p, Holm"}) {
     heads.emplace_back(head);
   }
   std::string section = fmt::format(
-      "<section id=\"success\">\n<h2>Goals reached</h2>\n<p>How every run ended, and the "
-      "difference "
-      "to {}: in points of 100 runs with its interval (Agresti and Min), the seeds that only one "
-      "of "
-      "the two brought to the goal, and McNemar’s exact test on them, as it is and corrected for "
-      "all tests of this report (Holm). Bold: a difference is shown.</p>\n",
+      "<section id=\"success\">\n<h2>Goals reached</h2>\n<p>How every run ended; no run ended in a "
+      "way that has no column. Then the difference to {}: in points of 100 runs with its interval "
+      "(Agresti and Min), the seeds that only the one or only the other brought to the goal (won / "
+      "lost), and McNemar’s exact test on these, as it is and corrected for all tests of this "
+      "report (Holm). Bold: a difference is shown.</p>\n",
       first);
   section += AgentTable(input, "Runs by outcome", heads,
                         [&](const Tally& tally) { return Cells(input, failures, tally); });

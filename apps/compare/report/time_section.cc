@@ -60,7 +60,7 @@ std::string TimeSection(const ReportInput& input) {
       "with every seed, −1: faster with every seed); p is Wilcoxon’s signed-rank test.</p>\n",
       Escaped(input.experiment.contenders.front().name));
   section += AgentTable(input, "Times in seconds",
-                        {"reached", "mean of these", "restricted mean", "PAR-2", "slower by (95 %)",
+                        {"reached", "mean of these", "restricted mean", "PAR‑2", "slower by (95 %)",
                          "effect", "p", "p, Holm"},
                         [&](const Tally& tally) { return Cells(input, tally); });
   section +=
