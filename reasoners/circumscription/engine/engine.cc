@@ -49,6 +49,10 @@ bool Engine::SetLatches(std::span<const Literal> latches) {
 Answer Engine::EntailsAlways(std::span<const Literal> clause) {
   if (certified_) return FromCertificate(clause);
   Explore();
+  if (world_ == World::kSome) {
+    if (IsRefuted(clause)) return {Verdict::kNo, Basis::kWitness};
+    ExploreOther();
+  }
   switch (world_) {
     case World::kInconsistent:
       return {Verdict::kYes, Basis::kInconsistent};
@@ -57,6 +61,7 @@ Answer Engine::EntailsAlways(std::span<const Literal> clause) {
     case World::kPlural:
       return Search(clause);
     case World::kUnexplored:
+    case World::kSome:
     case World::kUndecided:
       break;
   }
@@ -138,12 +143,13 @@ void Engine::Explore() {
   Model model;
   const SatResult result = search_->Candidate(latches_, {}, model);
   if (result == SatResult::kUnsatisfiable) world_ = World::kInconsistent;
-  if (result == SatResult::kSatisfiable && Descend(model)) ExploreOther(model);
+  if (result == SatResult::kSatisfiable && Descend(model)) world_ = World::kSome;
 }
 
-void Engine::ExploreOther(const Model& minimal) {
+void Engine::ExploreOther() {
+  world_ = World::kUndecided;
   Model other;
-  const SatResult result = search_->Other(latches_, minimal, other);
+  const SatResult result = search_->Other(latches_, minimal_.front(), other);
   if (result == SatResult::kLimit) return;
   const bool unique = result == SatResult::kUnsatisfiable && KnowsFixed();
   world_ = unique ? World::kUnique : World::kPlural;

@@ -79,10 +79,17 @@ class Engine {
 
  private:
   /// What search knows of the present cycle.
-  enum class World : std::uint8_t { kUnexplored, kInconsistent, kUnique, kPlural, kUndecided };
+  enum class World : std::uint8_t {
+    kUnexplored,
+    kInconsistent,
+    kSome,  ///< A minimal model is known; whether there are others was not needed yet.
+    kUnique,
+    kPlural,
+    kUndecided,
+  };
 
   void Explore();
-  void ExploreOther(const Model& minimal);
+  void ExploreOther();
   /// Descends to a minimal model; false: the budget ran out.
   bool Descend(Model& model);
   Answer FromCertificate(std::span<const Literal> clause);

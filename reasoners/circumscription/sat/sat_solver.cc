@@ -22,6 +22,8 @@ SatSolver::SatSolver(int variables) : backend_(std::make_unique<Backend>()), var
   // Models with few true atoms are near the minimal ones.
   solver.set("phase", 0);
   solver.set("forcephase", 0);
+  // Most calls have a model: the search goes on from the best assignment so far.
+  solver.set("target", 2);
   // Short calls, many of them: what prepares for long ones costs more than it saves.
   solver.set("lucky", 0);
   solver.set("walk", 0);
