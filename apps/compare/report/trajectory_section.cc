@@ -51,11 +51,12 @@ std::string Way(const RunRecord& run, const Layout& layout, std::string& end) {
     const auto floor = layout.floors.find(stay.floor);
     if (floor == layout.floors.end() || stay.places.empty()) continue;
     const FloorPlan& plan = *floor->second.plan;
-    long last_x = 0;
-    long last_y = 0;
+    std::int64_t last_x = 0;
+    std::int64_t last_y = 0;
     for (std::size_t i = 0; i < stay.places.size(); ++i) {
-      const long x = std::lround((stay.places[i].x - plan.left) * plan.pixels);
-      const long y = std::lround((plan.top - stay.places[i].y) * plan.pixels + floor->second.top);
+      const std::int64_t x = std::llround((stay.places[i].x - plan.left) * plan.pixels);
+      const std::int64_t y =
+          std::llround((plan.top - stay.places[i].y) * plan.pixels + floor->second.top);
       way +=
           i == 0 ? fmt::format("M{},{}l0,0", x, y) : fmt::format(" {},{}", x - last_x, y - last_y);
       last_x = x;

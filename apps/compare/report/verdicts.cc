@@ -13,7 +13,7 @@ namespace {
 
 /// All figures are the agent's minus the first's: more goals, more seconds.
 std::string OfSuccess(const Comparison& c) {
-  const std::string counts =
+  std::string counts =
       fmt::format("{} of {} against {}", c.second_reached, c.pairs, c.first_reached);
   if (c.discordant.only_first + c.discordant.only_second == 0) return counts;
   return fmt::format("{}: {} points of 100, 95 % {} to {}; {}", counts,
