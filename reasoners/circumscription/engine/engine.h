@@ -61,6 +61,7 @@ class Engine {
   explicit Engine(const GroundTheory& theory, const EngineOptions& options = {});
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
+  ~Engine() = default;
 
   /// Starts a cycle. `latches`: literals over fixed atoms (precondition); fixed atoms without a
   /// latch may be either. Returns whether the certificate closed.

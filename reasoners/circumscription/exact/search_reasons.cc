@@ -62,6 +62,7 @@ std::vector<sdk::NearMiss> SearchReasons::MissesIn(const Model& world, Atom atom
     if (known.premises - known.met > miss->premises - miss->met) known = *std::move(miss);
   }
   std::vector<sdk::NearMiss> misses;
+  misses.reserve(nearest.size());
   for (auto& each : nearest) misses.push_back(std::move(each.second));
   std::stable_sort(misses.begin(), misses.end(), [](const auto& a, const auto& b) {
     return a.premises - a.met < b.premises - b.met;

@@ -20,6 +20,8 @@ class SatSolver {
 
   /// Variables 1 .. `variables` are there from the start.
   explicit SatSolver(int variables);
+  SatSolver(const SatSolver&) = delete;
+  SatSolver& operator=(const SatSolver&) = delete;
   ~SatSolver();
   SatSolver(SatSolver&&) noexcept;
   SatSolver& operator=(SatSolver&&) noexcept;
