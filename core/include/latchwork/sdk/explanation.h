@@ -27,14 +27,14 @@ struct Explanation {
   std::string subject;  ///< An atom in TPTP syntax.
   bool holds = false;
   std::vector<NearMiss> misses;  ///< Where it does not hold: the nearest first.
-  Derivation derivation;         ///< Where it holds.
+  Derivation derivation;         ///< Where it holds; else a minimal world without it, if known.
 };
 
 /// For people, a line for each step.
 std::string ToText(const Derivation& derivation);
 std::string ToText(const Explanation& explanation);
 /// {"subject": ..., "holds": ..., "because": [{"conclusion", "kind", "source", "line"}]} or
-/// "misses" in place of "because": [{"clause", "line", "met", "premises", "lacks"}].
+/// "misses": [{"clause", "line", "met", "premises", "lacks"}] and "world", written as "because".
 std::string ToJson(const Explanation& explanation);
 
 }  // namespace latchwork::sdk
