@@ -10,6 +10,8 @@
 #include <iterator>
 #include <numbers>
 
+#include "latchwork/sdk/markup.h"
+
 namespace latchwork::sdk {
 namespace {
 
@@ -25,30 +27,6 @@ std::string Number(double value, int digits = 2) {
     if (text.back() == '.') text.pop_back();
   }
   return text == "-0" ? "0" : text;
-}
-
-/// XML cannot hold control characters at all.
-std::string Escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-  }
-  return escaped;
 }
 
 bool SameLook(const SvgKeyframe& a, const SvgKeyframe& b) {

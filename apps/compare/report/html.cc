@@ -33,29 +33,6 @@ constexpr std::array<std::string_view, kColours> kMarks = {
 
 }  // namespace
 
-std::string Escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
-
 std::string Figures(std::string_view text) {
   std::string set;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -9,6 +9,7 @@
 
 #include "apps/compare/report/findings.h"
 #include "apps/compare/report/floor_plan.h"
+#include "latchwork/sdk/markup.h"
 
 namespace latchwork::compare {
 
@@ -43,10 +44,9 @@ std::string MakingSection(const ReportInput& input);
 /// The style sheet of the page.
 std::string_view PageStyle();
 
-/// Text between tags or in an attribute.
-std::string Escaped(std::string_view text);
+using sdk::Escaped;
 
-/// The same of text with figures: with minus signs.
+/// Escaped text with figures: with minus signs.
 std::string Figures(std::string_view text);
 
 /// The class that gives an agent its colour and its mark, "a0", "a1", …
