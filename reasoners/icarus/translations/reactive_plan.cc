@@ -58,8 +58,8 @@ class PlanReader {
     const std::string head = Head(root);
     const bool universal = head == "universal-plan";
     if (tree_.kind(root) != FormKind::kList || (!universal && head != "teleo-reactive")) {
-      const std::string_view nearest =
-          logic::NearestName(head, {"universal-plan", "teleo-reactive"});
+      const std::vector<std::string> heads{"universal-plan", "teleo-reactive"};
+      const std::string_view nearest = logic::NearestName(head, heads);
       return Complain(
           root, "this is no plan",
           nearest.empty() ? std::string(kFileHint) : "did you mean " + std::string(nearest) + "?");
