@@ -38,6 +38,7 @@ void AddEntail(CLI::App& app, Context& context);
 void AddSemantics(CLI::App& app, Context& context);
 void AddExplain(CLI::App& app, Context& context);
 void AddCompare(CLI::App& app, Context& context);
+void AddDiffReasoners(CLI::App& app, Context& context);
 void AddReplay(CLI::App& app, Context& context);
 void AddIcarus(CLI::App& app, Context& context);
 void AddPlugin(CLI::App& app, Context& context);

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/integration/run_command.h"
+#include "tests/temporary_folder.h"
+
+namespace latchwork::testing {
+namespace {
+
+using nlohmann::json;
+using test::TemporaryFolder;
+
+/// What is not installed is left out with a word.
+TEST(DiffReasonersTest, RandomTheories_AllAgree) {
+  const TemporaryFolder folder;
+  const auto result =
+      RunLatchwork({"diff-reasoners", "--random", "25", "--seed", "7", "--json", "--quiet",
+                    "--reasoners", "pttp,circumscription:mode=bounded,eprover,swipl"},
+                   folder.path());
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report.at("theories"), 25);
+  EXPECT_TRUE(report.at("disagreements").empty());
+  EXPECT_LE(report.at("undecided").at("pttp"), 5);
+}
+
+TEST(DiffReasonersTest, APlantedBug_IsFoundAndShrunk) {
+  const TemporaryFolder folder;
+  const auto result =
+      RunLatchwork({"--plugin-path", LATCHWORK_BINARY_DIR "/fault_plugins", "diff-reasoners",
+                    "--random", "40", "--json", "--quiet", "--reasoners", "pttp,forgetful"},
+                   folder.path());
+  EXPECT_EQ(result.exit_code, 6) << result.err;
+  const json report = json::parse(result.out);
+  ASSERT_FALSE(report.at("disagreements").empty());
+  for (const json& found : report.at("disagreements")) {
+    EXPECT_LE(found.at("clauses"), 3) << found;
+    const auto proved = RunLatchwork({"prove", found.at("file").get<std::string>()}, folder.path());
+    EXPECT_THAT(proved.out, ::testing::HasSubstr("SZS status"));
+    EXPECT_NE(proved.exit_code, 3) << proved.err;
+  }
+}
+
+TEST(DiffReasonersTest, Journal_TheSameLatchesForAll) {
+  const TemporaryFolder folder;
+  const std::string agent = LATCHWORK_SOURCE_DIR "/examples/office/scenario1.xml";
+  RunLatchwork({"run", agent, "--ticks", "40", "--out", "out", "--quiet"}, folder.path());
+  const auto result = RunLatchwork({"diff-reasoners", "--journal", "out/run.journal", "--json",
+                                    "--quiet", "--reasoners", "pttp,circumscription"},
+                                   folder.path());
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_GT(json::parse(result.out).at("decisions"), 60);
+}
+
+TEST(DiffReasonersTest, NothingToCompare_IsWrongUsage) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(RunLatchwork({"diff-reasoners"}, folder.path()).exit_code, 2);
+  EXPECT_EQ(
+      RunLatchwork({"diff-reasoners", "--random", "1", "--reasoners", "pttp,nobody"}, folder.path())
+          .exit_code,
+      4);
+}
+
+}  // namespace
+}  // namespace latchwork::testing
