@@ -25,11 +25,15 @@ bool Machine::TryEquality(Choice& choice) {
   const Node& node = *choice.node;
   if ((*shop_.predicates)[node.literal->predicate].kind != PredicateKind::kEquality) return false;
   choice.phase = Phase::kReduction;
-  const bool solved =
-      node.literal->positive
-          ? unifier_.Unify(node.arguments[0], node.arguments[1])
-          : calculator_.Differ(node.arguments[0], node.arguments[1], shop_.unique_names);
+  const Word left = node.arguments[0];
+  const Word right = node.arguments[1];
+  const bool solved = node.literal->positive ? unifier_.Unify(left, right)
+                                             : calculator_.Differ(left, right, shop_.unique_names);
   if (solved) return SolvedAtOnce(choice, {.kind = Step::Kind::kEquality, .node = &node});
+  if (!node.literal->positive && !(unifier_.IsGround(left) && unifier_.IsGround(right))) {
+    floundered_ = true;
+    floundered_predicate_ = node.literal->predicate;
+  }
   Retreat(choice);
   choice.phase = Phase::kEquality;
   return false;

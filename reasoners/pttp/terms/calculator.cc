@@ -175,6 +175,7 @@ bool Calculator::Differ(Word a, Word b, bool unique_names) {
     const Word right = Dereference(pairs_.back().second);
     pairs_.pop_back();
     if (SameAtomic(left, right)) continue;
+    if (TagOf(left) == Tag::kReference || TagOf(right) == Tag::kReference) continue;
     if (IsNumber(left) && IsNumber(right)) {
       if (ToTerm(Number::In(left)).number() != ToTerm(Number::In(right)).number()) return true;
       continue;

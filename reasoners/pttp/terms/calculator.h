@@ -62,8 +62,9 @@ class Calculator {
   /// Nothing when an argument is not a number.
   static std::optional<bool> Decide(logic::Arithmetic::Predicate predicate, const Word* arguments,
                                     std::size_t arity);
-  /// Whether two ground terms are known to be different: numbers and distinct objects by nature,
-  /// constants and compound terms under the unique-names assumption only.
+  /// Whether two terms are known to be different, whatever their variables stand for: numbers and
+  /// distinct objects by nature, constants and compound terms under the unique-names assumption
+  /// only.
   bool Differ(Word a, Word b, bool unique_names);
 
  private:

@@ -176,5 +176,20 @@ TEST(DecideTest, UniqueNamesSeparateConstants) {
   }
 }
 
+/// Where rules conclude that terms differ, "!=" is tried before its arguments are known.
+TEST(DecideTest, VariablesDifferFromNothingYet) {
+  AgentMind mind(R"(
+    cnf(apart, axiom, X != Y | ~ apart(X,Y)).
+    cnf(other, axiom, other(X) | X = me | ~ thing(X)).
+    cnf(mine, axiom, mine | ~ other(X) | X != me).
+    cnf(all, axiom, thing(X)).
+  )");
+  mind.Input("apart", 2);
+  mind.Goal("mine");
+  mind.Parameter("unique_names", "true");
+  mind.Load();
+  EXPECT_EQ(mind.Decide().status, sdk::Status::kUnknown);
+}
+
 }  // namespace
 }  // namespace latchwork::pttp
