@@ -165,8 +165,12 @@ int Finish(const DiffOptions& options, const Findings& findings, std::string_vie
         {what, compared}, {"undecided", undecided}, {"disagreements", findings.found()}};
     fmt::print("{}\n", report.dump(2));
   } else {
-    fmt::print("{} {} compared: {} disagreements; not decided: {}\n", compared, what,
-               findings.count(), undecided.dump());
+    fmt::print("{} {} compared: {} disagreements\nnot decided within the budget:", compared, what,
+               findings.count());
+    for (const auto& [name, count] : undecided.items()) {
+      fmt::print(" {} {}", name, count.get<std::uint64_t>());
+    }
+    fmt::print("\n");
   }
   return findings.count() == 0 ? kDone : kDiverged;
 }

@@ -20,9 +20,9 @@ namespace {
 constexpr std::string_view kExitCodes =
     "Exit codes: 0 done; 1 the run ended without reaching its goal; 2 wrong usage; 3 invalid "
     "input;\n"
-    "4 a plugin cannot be loaded; 5 internal error; 6 replay diverged, proof rejected, or "
-    "reasoners\n"
-    "disagree; 7 deadline missed.\n\n"
+    "4 a plugin cannot be loaded; 5 internal error; 6 replay diverged, proof rejected, layers "
+    "mean\n"
+    "something else, or reasoners disagree; 7 deadline missed.\n\n"
     "Start here: latchwork run examples/office/scenario1.xml --out out/scenario1\n";
 
 std::vector<std::string> SubcommandNames(const CLI::App& app) {
