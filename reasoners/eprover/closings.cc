@@ -33,6 +33,21 @@ bool Contains(const auto& range, const auto& value) {
   return std::ranges::find(range, value) != range.end();
 }
 
+/// Where equations can be concluded, they turn arguments into others, and what holds of one
+/// argument and not of another makes these unequal.
+void AddCongruence(std::size_t equality, const Numbers& numbers,
+                   std::vector<SignedGraph::Rule>& rules) {
+  const Signed equal = SignedOf(equality, true);
+  for (std::size_t i = 0; i < numbers.names().size(); ++i) {
+    if (i == equality || numbers.names()[i].arity == 0) continue;
+    const Signed holds = SignedOf(i, true);
+    const Signed fails = SignedOf(i, false);
+    rules.push_back({holds, {holds, equal}});
+    rules.push_back({fails, {fails, equal}});
+    rules.push_back({SignedOf(equality, false), {holds, fails}});
+  }
+}
+
 SignedGraph MakeGraph(const sdk::Body& body, std::span<const logic::Clause> clauses,
                       const std::set<logic::PredicateName>& minimized, logic::Symbol equality,
                       Numbers& numbers) {
@@ -56,6 +71,11 @@ SignedGraph MakeGraph(const sdk::Body& body, std::span<const logic::Clause> clau
       }
     }
   }
+  const logic::PredicateName equation{equality, 2};
+  const std::size_t equal = numbers.Of(equation);
+  const bool concludes_equations =
+      std::ranges::find(rules, SignedOf(equal, true), &SignedGraph::Rule::head) != rules.end();
+  if (concludes_equations || given.contains(equation)) AddCongruence(equal, numbers, rules);
   std::vector<SignedGraph::Predicate> predicates(2 * numbers.names().size());
   for (std::size_t i = 0; i < numbers.names().size(); ++i) {
     const logic::PredicateName& name = numbers.names()[i];

@@ -46,11 +46,23 @@ logic::Atom MapAtom(const logic::Atom& atom, const Replace& replace) {
   return {atom.predicate(), arguments};
 }
 
+constexpr char kMark = '#';
+
+bool IsMarked(const logic::Term& leaf) {
+  return leaf.kind() == logic::Term::Kind::kConstant &&
+         leaf.symbol().kind() == logic::SymbolKind::kDistinctObject &&
+         leaf.symbol().name().starts_with(kMark);
+}
+
+logic::Term DistinctObject(std::string_view name, logic::SymbolTable& symbols) {
+  return logic::Term::Constant(symbols.Intern(name, logic::SymbolKind::kDistinctObject));
+}
+
 auto Hider(logic::SymbolTable& symbols) {
   return [&symbols](const logic::Term& leaf) {
-    if (!leaf.is_number()) return leaf;
-    return logic::Term::Constant(
-        symbols.Intern("#" + ToString(leaf), logic::SymbolKind::kDistinctObject));
+    if (leaf.is_number()) return DistinctObject(kMark + ToString(leaf), symbols);
+    if (!IsMarked(leaf)) return leaf;
+    return DistinctObject(kMark + std::string(leaf.symbol().name()), symbols);
   };
 }
 
@@ -65,13 +77,13 @@ std::optional<logic::Term> NumberIn(std::string_view text) {
   return std::nullopt;
 }
 
-logic::Term Unhide(const logic::Term& leaf) {
-  if (leaf.kind() != logic::Term::Kind::kConstant ||
-      leaf.symbol().kind() != logic::SymbolKind::kDistinctObject ||
-      !leaf.symbol().name().starts_with('#')) {
-    return leaf;
-  }
-  return NumberIn(leaf.symbol().name().substr(1)).value_or(leaf);
+auto Revealer(logic::SymbolTable& symbols) {
+  return [&symbols](const logic::Term& leaf) {
+    if (!IsMarked(leaf)) return leaf;
+    const std::string_view name = std::string_view(leaf.symbol().name()).substr(1);
+    if (name.starts_with(kMark)) return DistinctObject(name, symbols);
+    return NumberIn(name).value_or(leaf);
+  };
 }
 
 }  // namespace
@@ -84,9 +96,13 @@ logic::Atom Disguise(const logic::Atom& atom, logic::SymbolTable& symbols) {
   return MapAtom(atom, Hider(symbols));
 }
 
-logic::Term Undisguise(const logic::Term& term) { return Map(term, Unhide); }
+logic::Term Undisguise(const logic::Term& term, logic::SymbolTable& symbols) {
+  return Map(term, Revealer(symbols));
+}
 
-logic::Atom Undisguise(const logic::Atom& atom) { return MapAtom(atom, Unhide); }
+logic::Atom Undisguise(const logic::Atom& atom, logic::SymbolTable& symbols) {
+  return MapAtom(atom, Revealer(symbols));
+}
 
 std::string Axiom(const logic::Clause& clause, logic::SymbolTable& symbols) {
   logic::Clause hidden = clause;

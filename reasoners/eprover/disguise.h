@@ -10,11 +10,11 @@
 namespace latchwork::eprover {
 
 /// Numbers go to E as distinct objects, `"#1.5"`, which are unequal as numbers are and for which E
-/// has no theory of its own.
+/// has no theory of its own. Distinct objects that begin with `#` get another.
 logic::Term Disguise(const logic::Term& term, logic::SymbolTable& symbols);
 logic::Atom Disguise(const logic::Atom& atom, logic::SymbolTable& symbols);
-logic::Term Undisguise(const logic::Term& term);
-logic::Atom Undisguise(const logic::Atom& atom);
+logic::Term Undisguise(const logic::Term& term, logic::SymbolTable& symbols);
+logic::Atom Undisguise(const logic::Atom& atom, logic::SymbolTable& symbols);
 
 /// `cnf(name, axiom, (...)).` and a new line.
 std::string Axiom(const logic::Clause& clause, logic::SymbolTable& symbols);

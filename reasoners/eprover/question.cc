@@ -62,7 +62,7 @@ std::optional<logic::Atom> InstanceOf(std::string_view tuple, const logic::Atom&
   if (!read.atom || read.atom->arity() != order.size()) return std::nullopt;
   std::vector<logic::Term> arguments;
   for (const logic::Term& argument : pattern.arguments()) {
-    arguments.push_back(Undisguise(Substitute(argument, order, read.atom->arguments())));
+    arguments.push_back(Undisguise(Substitute(argument, order, read.atom->arguments()), symbols));
   }
   return logic::Atom(pattern.predicate(), arguments);
 }
@@ -83,16 +83,20 @@ std::uint64_t Processed(std::string_view output) {
   return count;
 }
 
-void ReadAnswers(std::string_view output, const logic::Atom& pattern,
-                 const std::vector<logic::Variable>& order, logic::SymbolTable& symbols,
-                 Reply& reply) {
+/// Returns how many there were, with those that are none of ours.
+std::size_t ReadAnswers(std::string_view output, const logic::Atom& pattern,
+                        const std::vector<logic::Variable>& order, logic::SymbolTable& symbols,
+                        Reply& reply) {
   constexpr std::string_view kTuple = "# SZS answers Tuple ";
+  std::size_t count = 0;
   for (auto line = After(output, kTuple); line; line = After(output, kTuple)) {
     if (auto instance = InstanceOf(*line, pattern, order, symbols)) {
       reply.answers.push_back(*std::move(instance));
     }
     output.remove_prefix(static_cast<std::size_t>(line->data() - output.data()));
+    ++count;
   }
+  return count;
 }
 
 void ReadEnd(std::string_view output, std::size_t wanted, const QuestionLimits& limits,
@@ -115,41 +119,86 @@ void ReadEnd(std::string_view output, std::size_t wanted, const QuestionLimits& 
   }
 }
 
-}  // namespace
-
-Reply Ask(const std::filesystem::path& program, std::string_view axioms, const logic::Atom* pattern,
-          std::size_t answers, const QuestionLimits& limits, logic::SymbolTable& symbols) {
-  std::string problem(axioms);
-  std::vector<logic::Variable> order;
-  if (pattern != nullptr) problem += QuestionFor(*pattern, order, symbols);
-  const bool is_open = !order.empty();
-  process::Limits outer{limits.seconds, limits.memory_mb};
-  if (limits.deadline) {
-    const std::chrono::duration<double> left = *limits.deadline - std::chrono::steady_clock::now();
-    outer.wall_seconds = std::clamp(left.count(), 0.0, outer.wall_seconds);
+/// What goes on the command line, without how many answers there are to be.
+std::vector<std::string> ArgumentsFor(const QuestionLimits& limits) {
+  std::vector<std::string> arguments = {
+      "--silent", "--tstp-in", "--print-statistics",
+      fmt::format("--processed-clauses-limit={}", limits.clauses)};
+  if (limits.heuristic == kAutomatic) {
+    arguments.emplace_back("--satauto");
+  } else {
+    // What --satauto stands for, with the other heuristic.
+    arguments.insert(arguments.end(), {"-x", limits.heuristic, "-tAuto"});
   }
+  return arguments;
+}
+
+/// A question in E's words.
+struct Question {
+  const std::filesystem::path& program;
+  std::string problem;
+  const logic::Atom* pattern;
+  std::vector<logic::Variable> order;
+};
+
+/// One run of E. `is_cut_short`: it gave as many answers as it was to, and fewer were definite.
+Reply Run(const Question& question, std::size_t wanted, std::size_t asked,
+          const QuestionLimits& limits, logic::SymbolTable& symbols, bool& is_cut_short) {
+  process::Limits outer{limits.seconds, limits.memory_mb};
+  const std::chrono::duration<double> left = *limits.deadline - std::chrono::steady_clock::now();
+  outer.wall_seconds = std::clamp(left.count(), 0.0, outer.wall_seconds);
   static const std::atomic<bool> kNever = false;
-  std::vector<std::string> arguments = {"--silent",
-                                        "--satauto",
-                                        "--tstp-in",
-                                        "--print-statistics",
-                                        fmt::format("--processed-clauses-limit={}", limits.clauses),
-                                        fmt::format("--answers={}", is_open ? answers : 1),
-                                        "-"};
-  const process::ChildResult child = process::RunChild(
-      program, arguments, outer, limits.cancelled == nullptr ? kNever : *limits.cancelled, problem);
+  std::vector<std::string> arguments = ArgumentsFor(limits);
+  arguments.insert(arguments.end(), {fmt::format("--answers={}", asked), "-"});
+  const process::ChildResult child =
+      process::RunChild(question.program, arguments, outer,
+                        limits.cancelled == nullptr ? kNever : *limits.cancelled, question.problem);
   Reply reply;
+  is_cut_short = false;
   using ChildEnd = process::ChildResult::End;
   if (child.end == ChildEnd::kTimedOut || child.end == ChildEnd::kStopped) {
     reply.end = child.end == ChildEnd::kTimedOut ? End::kTime : End::kCancelled;
     return reply;
   }
-  if (is_open) ReadAnswers(child.output, *pattern, order, symbols, reply);
   const bool is_proved = After(child.output, "# SZS status ").value_or("") == "Theorem";
-  if (pattern != nullptr && !is_open && is_proved) reply.answers.push_back(*pattern);
-  ReadEnd(child.output, pattern == nullptr ? 1 : answers, limits, reply);
+  if (!question.order.empty()) {
+    const std::size_t count =
+        ReadAnswers(child.output, *question.pattern, question.order, symbols, reply);
+    is_cut_short = count >= asked && reply.answers.size() < wanted;
+  } else if (question.pattern != nullptr && is_proved) {
+    reply.answers.push_back(*question.pattern);
+  }
+  ReadEnd(child.output, wanted, limits, reply);
   if (reply.end == End::kFailed) reply.problem += "; " + child.errors.substr(0, 200);
+  is_cut_short = is_cut_short && reply.end == End::kSaturated;
   return reply;
+}
+
+}  // namespace
+
+Reply Ask(const std::filesystem::path& program, std::string_view axioms, const logic::Atom* pattern,
+          std::size_t answers, const QuestionLimits& limits, logic::SymbolTable& symbols) {
+  constexpr std::size_t kMostAsked = 4096;
+  Question question{program, std::string(axioms), pattern, {}};
+  if (pattern != nullptr) question.problem += QuestionFor(*pattern, question.order, symbols);
+  QuestionLimits together = limits;
+  using Clock = std::chrono::steady_clock;
+  const auto own = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                      std::chrono::duration<double>(limits.seconds));
+  together.deadline = std::min(own, limits.deadline.value_or(own));
+  const std::size_t wanted = question.order.empty() ? 1 : answers;
+  std::uint64_t processed = 0;
+  for (std::size_t asked = wanted;; asked *= 2) {
+    bool is_cut_short = false;
+    Reply reply = Run(question, wanted, asked, together, symbols, is_cut_short);
+    processed += reply.processed;
+    reply.processed = processed;
+    if (!is_cut_short) return reply;
+    if (asked >= kMostAsked) {
+      reply.end = End::kClauses;
+      return reply;
+    }
+  }
 }
 
 }  // namespace latchwork::eprover

@@ -16,9 +16,12 @@
 
 namespace latchwork::eprover {
 
+/// The heuristic that E chooses for the problem.
+inline constexpr std::string_view kAutomatic = "Auto";
+
 /// How E is to search, and what one run of it may spend.
 struct QuestionLimits {
-  std::string heuristic = "Auto";
+  std::string heuristic{kAutomatic};
   std::uint64_t clauses = 5000;  ///< Processed; the logical limit.
   double seconds = 10;
   std::uint64_t memory_mb = 1024;
@@ -44,7 +47,8 @@ struct Reply {
 };
 
 /// Asks for instances of a pattern that follow from the axioms; without one, whether these
-/// contradict each other. Indefinite answers ("one of these") are none.
+/// contradict each other. Indefinite answers ("one of these") are none; E counts them, so that it
+/// is asked again for more when it gave nothing else.
 Reply Ask(const std::filesystem::path& program, std::string_view axioms, const logic::Atom* pattern,
           std::size_t answers, const QuestionLimits& limits, logic::SymbolTable& symbols);
 

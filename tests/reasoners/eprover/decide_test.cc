@@ -57,6 +57,61 @@ TEST_F(EproverTest, Disjunctions) {
   EXPECT_THAT(mind.Conclusions(), ElementsAre("away"));
 }
 
+TEST_F(EproverTest, FirstAnswer_BehindIndefiniteOnes) {
+  Mind mind(R"(
+    fof(a, axiom, at(left) | at(right)).
+    fof(b, axiom, start(home)).
+    fof(c, axiom, ![X] : (start(X) => way(f(X)))).
+    fof(d, axiom, ![X] : (way(X) => way_on(g(X)))).
+    fof(e, axiom, ![X] : (way_on(X) => at(middle))).
+  )");
+  mind.Goal("at(X)");
+  mind.Load();
+  EXPECT_EQ(mind.Decide().status, Status::kProved);
+  EXPECT_THAT(mind.Conclusions(), ElementsAre("at(middle)"));
+}
+
+TEST_F(EproverTest, IndefiniteAnswersAlone_AreRefuted) {
+  Mind mind("fof(a, axiom, at(left) | at(right)).");
+  mind.Goal("at(X)");
+  mind.Load();
+  EXPECT_EQ(mind.Decide().status, Status::kRefuted);
+}
+
+TEST_F(EproverTest, DistinctObjectsThatLookLikeDisguisedNumbers) {
+  Mind mind("fof(a, axiom, ![X] : (in(X) => out(X))).");
+  mind.Input("in", 1);
+  mind.Goal("out(X)", Answers::kAll);
+  mind.Load();
+  mind.Latch(0, {"in(5)", "in(\"#5\")", "in(\"##5\")"});
+  EXPECT_EQ(mind.Decide().status, Status::kProved);
+  EXPECT_THAT(mind.Conclusions(), UnorderedElementsAre("out(5)", "out(\"#5\")", "out(\"##5\")"));
+}
+
+TEST_F(EproverTest, DefaultUnderAnEquation_IsClosed) {
+  Mind mind(R"(
+    fof(a, axiom, a = b | ab).
+    fof(b, axiom, f(a)).
+    fof(c, axiom, ![X] : (f(X) => p(X))).
+  )");
+  mind.Minimize("ab", 0);
+  mind.Goal("p(b)");
+  mind.Load();
+  EXPECT_EQ(mind.Decide().status, Status::kProved);
+  ASSERT_EQ(mind.decision.assumptions.size(), 1U);
+}
+
+TEST_F(EproverTest, HeuristicIsGivenToE) {
+  Mind mind("fof(a, axiom, ![X] : (in(X) => out(X))).");
+  mind.Input("in", 1);
+  mind.Goal("out(X)", Answers::kAll);
+  mind.Parameter("heuristic", "AutoSched0");
+  mind.Load();
+  mind.Latch(0, {"in(a)", "in(b)"});
+  EXPECT_EQ(mind.Decide().status, Status::kProved);
+  EXPECT_THAT(mind.Conclusions(), UnorderedElementsAre("out(a)", "out(b)"));
+}
+
 TEST_F(EproverTest, DefaultsByFactsAndByRules) {
   Mind mind(R"(
     fof(open, axiom, ![E] : ((door(E) & ~ shut(E)) => open(E))).
