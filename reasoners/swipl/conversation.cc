@@ -108,7 +108,7 @@ void Conversation::ListenFor(std::string_view last) {
     }
     const auto said = ReadAnswer(line_);
     if (!said || said->name == "failed") return Stop(End::kMisunderstood);
-    if (said->name == "call" && said->arguments.size() == 2) {
+    if (said->name == "call" && said->arguments.size() == 3) {
       Call(*said);
     } else if (said->name == "answer" && said->arguments.size() == 1) {
       Take(said->arguments[0]);
@@ -121,15 +121,17 @@ void Conversation::ListenFor(std::string_view last) {
 }
 
 void Conversation::Call(const Answer& call) {
-  const auto number = static_cast<std::size_t>(call.arguments[0].integer);
+  const auto number = static_cast<std::size_t>(call.arguments[1].integer);
   if (number >= setting_.attachments.size()) return Stop(End::kMisunderstood);
   sdk::Attachment& attachment = *setting_.attachments[number];
   Outputs outputs(attachment.signature(), setting_.names);
-  if (const auto inputs = InputsOf(attachment.signature(), call.arguments[1], setting_.names)) {
+  if (const auto inputs = InputsOf(attachment.signature(), call.arguments[2], setting_.names)) {
     ++attachment_calls_;
+    const std::int64_t outer = std::exchange(call_, call.arguments[0].integer);
     attachment.Call(*inputs, *this, outputs);
+    call_ = outer;
   }
-  Say(fmt::format("rows([{}]).\n", outputs.rows));
+  Say(fmt::format("rows({},[{}]).\n", call.arguments[0].integer, outputs.rows));
 }
 
 void Conversation::Take(const Answer& answer) {
@@ -150,7 +152,7 @@ void Conversation::ForEachProvable(std::span<const logic::Literal> query, std::s
   }
   std::vector<std::vector<logic::Term>> answers;
   auto* const outer = std::exchange(answers_, &answers);
-  Say(fmt::format("ask({},[{}],D,({})).\n", setting_.depth, values,
+  Say(fmt::format("ask({},{},[{}],D,({})).\n", call_, setting_.depth, values,
                   setting_.writer.Query({query.begin(), query.end()})));
   ListenFor("answered");
   answers_ = outer;

@@ -3,6 +3,7 @@
 #define LATCHWORK_SWIPL_CONVERSATION_H_
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -64,6 +65,7 @@ class Conversation final : public sdk::AttachmentContext {
   Listener& listener_;
   std::string line_;
   std::vector<std::vector<logic::Term>>* answers_ = nullptr;  ///< Of the question at hand.
+  std::int64_t call_ = 0;  ///< Prolog's number of the call at hand.
   std::size_t attachment_calls_ = 0;
   bool is_over_ = false;
   End end_ = End::kDone;

@@ -10,12 +10,13 @@ namespace {
 // variables: what backtracking undoes (b_) is `closing`, `level`, `pending` (delayed goals) and
 // `resting` (assumptions of this proof); what it does not (nb_) is all else.
 constexpr std::string_view kSearch = R"PL(
-main :- forall(tabled(P), table(P)), say(ready), flush_output, repeat, read(C),
+main :- forall(tabled(P), table(P)), nb_setval(called, 0), say(ready), flush_output, repeat, read(C),
     ( C == end_of_file -> halt
     ; catch(command(C), E, trouble(E)), flush_output, fail ).
 trouble(error(resource_error(_), _)) :- !, say(done(memory, 0, false)).
 trouble(E) :- say(failed), print_message(error, E).
-say(T) :- write_term(T, [quoted(true), ignore_ops(true)]), nl.
+% One call, so that no limit ends it within a line.
+say(T) :- write_term(T, [quoted(true), ignore_ops(true), nl(true)]).
 
 command(facts(Old, Rows)) :- retractall(Old), forall(member(R, Rows), assertz(R)).
 command(decide(Depth, Calls, Few)) :- within(Calls, decide(Depth, Few)).
@@ -40,7 +41,10 @@ decide(Depth, Few) :- nb_setval(deepest, Depth), Few > 0, denial(J, D, Call), re
 decide(Depth, _) :- forall(goal(G, All, Atom, D, Call), decide_goal(Depth, G, All, Atom, D, Call)).
 refuted(Depth, Few, D, Call) :-
     call_with_inference_limit(plainly(search(Depth, D, Call, true, End)), Few, R),
-    R \== inference_limit_exceeded, End == accepted.
+    in_full(R), End == accepted.
+% What a limit broke off left notes of goals and calls that nobody works at any more.
+in_full(inference_limit_exceeded) :- !, reset, fail.
+in_full(_).
 plainly(Goal) :- b_setval(closing, false), once(Goal), b_setval(closing, true).
 decide_goal(Depth, G, All, Atom, D, Call) :-
     trie_new(Known), nb_setval(undetermined, false),
@@ -51,8 +55,8 @@ accept(G, All, Atom, Known) :-
     ( ground(Atom) -> say(concluded(G, Atom, L, R)), All == false ; say(everything(Atom)), fail ).
 admit(item(I, Row, Goal, D, Call), Depth, Calls) :-
     call_with_inference_limit(plainly(search(Depth, D, Call, true, End)), Calls, R),
-    ( R \== inference_limit_exceeded, End == accepted -> offended(Goal, J), say(offends(I, J))
-    ; assertz(Row) ).
+    ( in_full(R), End == accepted -> offended(Goal, J), say(offends(I, J))
+    ; assertz(Row), reset ).
 % Which rule it was that the denial was proved with at last.
 offended(Goal, J) :- nth_clause(Goal, J, Ref), clause(Goal, Body, Ref), plainly(call(Body)), !.
 offended(_, 0).
@@ -136,16 +140,20 @@ forall_once([I|Is]) :- rest_on(I), forall_once(Is).
 rows(A, Ins, Rows, Rest) :- nb_getval(computed, T),
     ( trie_lookup(T, k(A, Ins), Known) -> true
     ; trie_update(T, k(A, Ins), open),
-      say(call(A, Ins)), flush_output, attend([], Rows0, Rest0),
+      nb_getval(called, N0), N is N0 + 1, nb_setval(called, N),
+      say(call(N, A, Ins)), flush_output, attend(N, [], Rows0, Rest0),
       Known = rows(Rows0, Rest0), trie_update(T, k(A, Ins), Known) ),
     ( Known = rows(Rows, Rest) -> true ; nb_setval(undetermined, true), fail ).
-attend(Rest0, Rows, Rest) :- read(C), attend(C, Rest0, Rows, Rest).
-attend(rows(Rows), Rest, Rows, Rest).
-attend(ask(Depth, Values, D, Call), Rest0, Rows, Rest) :-
+attend(N, Rest0, Rows, Rest) :- read(C), attend(C, N, Rest0, Rows, Rest).
+% Replies to calls that a limit broke off are still in the pipe.
+attend(rows(M, _), N, Rest0, Rows, Rest) :- M \== N, !, attend(N, Rest0, Rows, Rest).
+attend(ask(M, _, _, _, _), N, Rest0, Rows, Rest) :- M \== N, !, attend(N, Rest0, Rows, Rest).
+attend(rows(_, Rows), _, Rest, Rows, Rest).
+attend(ask(N, Depth, Values, D, Call), N, Rest0, Rows, Rest) :-
     trie_new(Known), nb_setval(asked, Rest0),
     search(Depth, D, Call, answer(Values, Known), End),
     ( End == depth -> nb_setval(bound, true) ; true ),
-    nb_getval(asked, Rest1), say(answered(End)), flush_output, attend(Rest1, Rows, Rest).
+    nb_getval(asked, Rest1), say(answered(End)), flush_output, attend(N, Rest1, Rows, Rest).
 answer(Values, Known) :- trie_insert(Known, Values, 1),
     ( ground(Values) -> say(answer(Values)), b_getval(resting, R), nb_getval(asked, A),
       union(R, A, All), nb_setval(asked, All)

@@ -121,7 +121,11 @@ bool SwiplReasoner::Start(std::string& problem) {
   const std::string text = fmt::format("{}\n{}\nend.\n", EngineText(), rendering_.program);
   // What starts takes its share of address space before any stack grows.
   constexpr std::uint64_t kOwnMemory = 256;
-  if (companion_.Start(program_, arguments, memory_mb_ + kOwnMemory) && companion_.Send(text, {})) {
+  const process::Companion::Patience patience{process::Companion::Clock::now() + kStartTime};
+  std::string line;
+  if (companion_.Start(program_, arguments, memory_mb_ + kOwnMemory) &&
+      companion_.Send(text, patience) &&
+      companion_.ReadLine(line, patience) == process::Companion::Reply::kLine && line == "ready") {
     return true;
   }
   problem = fmt::format("reasoner swipl: {} cannot be started: {}", program_.string(),

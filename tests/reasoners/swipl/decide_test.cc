@@ -208,6 +208,27 @@ TEST_F(SwiplTest, Admit_RefusesWhatContradictsTheBody) {
   EXPECT_THAT(mind.Conclusions(), ElementsAre("distance(a, 1)"));
 }
 
+TEST_F(SwiplTest, Admit_ForgetsWhatFailedBeforeTheLastFact) {
+  Mind mind(R"(
+    fof(never, axiom, ![I] : ~ (a(I) & path(s,t) & d(I))).
+    fof(step, axiom, ![X,Y] : (edge(X,Y) => path(X,Y))).
+    fof(back, axiom, ![X,Y] : (path(Y,X) => path(X,Y))).
+    fof(d, axiom, ![I] : (e(I) => d(I))).
+    fof(e, axiom, e(2)).
+  )");
+  mind.Input("a", 1);
+  mind.Input("edge", 2);
+  mind.Goal("path(s,t)");
+  mind.Load();
+  mind.Latch(0, {});
+  std::vector<sdk::Refusal> refused;
+  const std::vector<logic::Fact> batch = {mind.Atom("a(1)"), mind.Atom("edge(s,t)"),
+                                          mind.Atom("a(2)")};
+  mind.reasoner.Admit(mind.latches, 0, batch, mind.budget, refused);
+  ASSERT_EQ(refused.size(), 1U);
+  EXPECT_EQ(refused[0].index, 2U);
+}
+
 TEST_F(SwiplTest, TellAndRetract) {
   Mind mind("fof(a, axiom, p => q).");
   mind.Input("p", 0);
@@ -275,6 +296,43 @@ TEST_F(SwiplTest, AttachmentsAskProlog) {
   EXPECT_THAT(mind.Conclusions(), ElementsAre("sum(320)"));
   EXPECT_EQ(mind.decision.statistics.attachment_calls, 1U);
   EXPECT_EQ(mind.decision.conclusions[0].assumptions.size(), 3U);
+}
+
+/// twice(X, Y).
+class Twice final : public sdk::Attachment {
+ public:
+  const Signature& signature() const override {
+    static const Signature signature{"twice",
+                                     {{{"of", sdk::ArgumentType::kInteger, ""}, Mode::kIn},
+                                      {{"is", sdk::ArgumentType::kInteger, ""}, Mode::kOut}},
+                                     ""};
+    return signature;
+  }
+  void Call(std::span<const logic::Term> inputs, sdk::AttachmentContext& /*context*/,
+            sdk::AnswerSink& outputs) override {
+    const std::array<logic::Term, 1> answer = {logic::Term::Integer(2 * inputs[0].integer())};
+    outputs.Answer(answer);
+  }
+};
+
+TEST_F(SwiplTest, LimitWithinACall_LeavesNoReplyForTheNext) {
+  // Some of these limits fall between a call and the reading of its reply.
+  for (int limit = 1; limit <= 20; ++limit) {
+    Mind mind(R"(
+      fof(never, axiom, ![X,Y] : ~ (in(X) & twice(X, Y) & bad(Y))).
+      fof(out, axiom, ![X,Y] : ((from(X) & twice(X, Y)) => out(Y))).
+    )");
+    mind.body.attachments.push_back(std::make_shared<Twice>());
+    mind.Input("in", 1);
+    mind.Input("bad", 1);
+    mind.Input("from", 1);
+    mind.Goal("out(Y)", Answers::kAll);
+    mind.Parameter("consistency_inferences", std::to_string(limit));
+    mind.Load();
+    mind.Latch(0, {"in(1)", "in(2)", "in(3)", "from(2)", "from(40)"});
+    EXPECT_EQ(mind.Decide().status, Status::kProved);
+    EXPECT_THAT(mind.Conclusions(), UnorderedElementsAre("out(4)", "out(80)")) << limit;
+  }
 }
 
 TEST_F(SwiplTest, AttachmentThatThrows_LeavesTheReasonerWhole) {
