@@ -80,7 +80,8 @@ std::optional<logic::Term> NumberIn(std::string_view text) {
 auto Revealer(logic::SymbolTable& symbols) {
   return [&symbols](const logic::Term& leaf) {
     if (!IsMarked(leaf)) return leaf;
-    const std::string_view name = std::string_view(leaf.symbol().name()).substr(1);
+    std::string_view name = leaf.symbol().name();
+    name.remove_prefix(1);
     if (name.starts_with(kMark)) return DistinctObject(name, symbols);
     return NumberIn(name).value_or(leaf);
   };
