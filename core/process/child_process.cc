@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <string>
 #include <utility>
 
 #include "core/process/spawn.h"
@@ -85,7 +86,11 @@ class Child {
     rusage usage{};
     while (true) {
       const pid_t ended = wait4(process_, &status, WNOHANG, &usage);
-      if (ended == process_ || (ended < 0 && errno != EINTR)) break;
+      if (ended == process_) break;
+      if (ended < 0 && errno != EINTR) {
+        result_.errors = std::string("how the program ended is not known: ") + std::strerror(errno);
+        return;
+      }
       if (result_.end == ChildResult::End::kNotStarted) EndIfDue();
       poll(nullptr, 0, 1);
     }

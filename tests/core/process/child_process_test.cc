@@ -57,6 +57,14 @@ TEST(ChildProcessTest, MissingProgram_IsNotStarted) {
   EXPECT_EQ(RunChild("/no/such/program", {}, {}, stop).end, End::kNotStarted);
 }
 
+TEST(ChildProcessTest, EndThatTheSystemDoesNotTell_IsNoSuccess) {
+  const auto before = std::signal(SIGCHLD, SIG_IGN);
+  const ChildResult result = Shell("exit 3");
+  std::signal(SIGCHLD, before);
+  EXPECT_EQ(result.end, End::kNotStarted);
+  EXPECT_NE(result.errors, "");
+}
+
 TEST(ChildProcessTest, Input_IsReadToItsEnd) {
   const std::atomic<bool> stop = false;
   const std::string input(3'000'000, 'x');
