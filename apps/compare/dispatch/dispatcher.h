@@ -54,8 +54,8 @@ class Dispatcher {
   bool finished() const;
   /// Runs that nobody made: the work was ended.
   std::size_t missing() const { return runs_.size() - done_; }
-  /// Whether all workers are told to stop together.
-  bool together() const { return farewell_ == kStop; }
+  /// Whether all workers are told to stop together, and none was lost meanwhile.
+  bool together() const { return farewell_ == kStop && !lost_any(); }
 
  private:
   enum class Standing { kWaiting, kGiven, kDone };

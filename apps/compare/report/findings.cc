@@ -10,14 +10,6 @@ RunScore ScoreOf(const RunRecord& record) {
   return {record.outcome == Outcome::kReached, record.time_s};
 }
 
-double LimitOf(const Records& records, const std::string& scenario) {
-  double limit = 0;
-  for (const auto& [key, run] : records) {
-    if (key.scenario == scenario) limit = std::max({limit, run.duration_s, run.time_s});
-  }
-  return limit;
-}
-
 Tally Count(const Experiment& experiment, const Records& records, const std::string& scenario,
             const std::string& contender, double limit) {
   Tally tally{scenario, contender, 0, {}, limit, 0, 0, 0};
@@ -64,6 +56,14 @@ void Correct(std::vector<Duel>& duels) {
 }
 
 }  // namespace
+
+double LimitOf(const Records& records, const std::string& scenario) {
+  double limit = 0;
+  for (const auto& [key, run] : records) {
+    if (key.scenario == scenario) limit = std::max({limit, run.duration_s, run.time_s});
+  }
+  return limit;
+}
 
 std::size_t CountOf(const Tally& tally, Outcome outcome) {
   const auto found = tally.outcomes.find(outcome);

@@ -21,7 +21,7 @@ struct Tally {
   std::string contender;
   std::size_t runs = 0;
   std::map<Outcome, std::size_t> outcomes;
-  double limit_s = 0;       ///< How long a run of the scenario may last.
+  double limit_s = 0;       ///< How long a run of the scenario may last; 0: no run told.
   double mean_time_s = 0;   ///< In the world, of the runs that reached the goal.
   double restricted_s = 0;  ///< Mean of all; what failed counts the limit.
   double par2_s = 0;        ///< Of all; what failed counts twice the limit.
@@ -32,7 +32,7 @@ struct Duel {
   std::string scenario;
   std::string first;
   std::string second;
-  double limit_s = 0;  ///< How long a run of the scenario may last.
+  double limit_s = 0;  ///< How long a run may last; 0: no run told, times say nothing.
   Comparison comparison;
 };
 
@@ -42,6 +42,9 @@ struct Findings {
   std::vector<Duel> duels;  ///< Corrected together.
   std::vector<RunRecord> failures;
 };
+
+/// How long a run of the scenario may last, s; 0 when none of them told.
+double LimitOf(const Records& records, const std::string& scenario);
 
 Findings Evaluate(const Experiment& experiment, const Records& records);
 

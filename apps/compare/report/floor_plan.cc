@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <charconv>
@@ -18,6 +19,8 @@
 
 namespace latchwork::compare {
 namespace {
+
+constexpr double kLongestDrawing = 30;  // s; nobody can stop it
 
 /// The numbers of NAME="1 2 3"; false when there are not just so many.
 bool ReadNumbers(std::string_view head, std::string_view name, std::span<double> numbers) {
@@ -58,6 +61,11 @@ Building ReadBuilding(const std::filesystem::path& folder) {
     if (auto plan = ReadPlan(text)) building.emplace(*floor, std::move(*plan));
   }
   return building;
+}
+
+/// Whether it came to its end, with the goal reached or not.
+bool HasRun(const process::ChildResult& child) {
+  return child.end == process::ChildResult::End::kExited && child.code <= 1;
 }
 
 /// A new folder that is gone with this object; empty where none can be made.
@@ -105,6 +113,8 @@ std::optional<FloorPlan> ReadPlan(std::string_view svg) {
 
 std::map<std::string, Building> DrawBuildings(const Experiment& experiment, const Launch& launch) {
   std::map<std::string, Building> buildings;
+  RunLimits limits = experiment.limits;
+  limits.wall_seconds = std::min(limits.wall_seconds, kLongestDrawing);
   for (const PlannedRun& run : PlanRuns(experiment)) {
     if (run.key.seed != experiment.first_seed) break;
     if (buildings.contains(run.key.scenario)) continue;
@@ -115,8 +125,10 @@ std::map<std::string, Building> DrawBuildings(const Experiment& experiment, cons
     arguments.insert(arguments.end(),
                      {"--ticks", "1", "--quiet", "--out", scratch.path().string()});
     const std::atomic<bool> stop = false;
-    process::RunChild(launch.program, arguments, experiment.limits, stop);
-    buildings[run.key.scenario] = ReadBuilding(scratch.path());
+    const auto child = process::RunChild(launch.program, arguments, limits, stop);
+    Building building = ReadBuilding(scratch.path());
+    if (building.empty() && !HasRun(child)) continue;
+    buildings[run.key.scenario] = std::move(building);
   }
   return buildings;
 }

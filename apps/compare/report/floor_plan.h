@@ -30,7 +30,8 @@ using Building = std::map<std::int64_t, FloorPlan>;
 std::optional<FloorPlan> ReadPlan(std::string_view svg);
 
 /// Lets the world of every scenario draw itself ("plan1.svg" for floor 1), in a process of its own
-/// that runs for one tick. A world that draws no plans has an empty building. By scenario.
+/// that runs for one tick. A world that draws no plans has an empty building, one
+/// that cannot run, or takes longer than 30 s, none. By scenario.
 std::map<std::string, Building> DrawBuildings(const Experiment& experiment, const Launch& launch);
 
 }  // namespace latchwork::compare

@@ -19,7 +19,11 @@ std::string WriteText(const std::filesystem::path& file, const std::string& text
 }
 
 std::map<std::string, Building> BuildingsOf(const Experiment& experiment, const Launch& launch) {
-  if (launch.program.empty()) return {};
+  if (launch.program.empty()) {
+    std::map<std::string, Building> none;
+    for (const Scenario& scenario : experiment.scenarios) none[scenario.name];
+    return none;
+  }
   return DrawBuildings(experiment, launch);
 }
 

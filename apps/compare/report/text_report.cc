@@ -43,10 +43,21 @@ std::string Table(const std::vector<Tally>& tallies) {
                                  "agent", contender, "reached", "mean time s", "PAR-2 s", "others");
   for (const Tally& each : tallies) {
     const std::size_t count = CountOf(each, Outcome::kReached);
-    text += fmt::format("{:<{}}  {:<{}}  {:>9}  {:>11}  {:>8.1f}  {}\n", each.scenario, scenario,
-                        each.contender, contender, fmt::format("{} of {}", count, each.runs),
-                        count == 0 ? "-" : fmt::format("{:.1f}", each.mean_time_s), each.par2_s,
-                        Outcomes(each));
+    text +=
+        fmt::format("{:<{}}  {:<{}}  {:>9}  {:>11}  {:>8}  {}\n", each.scenario, scenario,
+                    each.contender, contender, fmt::format("{} of {}", count, each.runs),
+                    count == 0 ? "-" : fmt::format("{:.1f}", each.mean_time_s),
+                    each.limit_s > 0 ? fmt::format("{:.1f}", each.par2_s) : "-", Outcomes(each));
+  }
+  return text;
+}
+
+/// What a run says may come from anywhere; a terminal obeys control characters.
+std::string Printable(std::string text) {
+  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
+  std::ranges::replace_if(text, is_control, ' ');
+  for (std::size_t i = 0; i + 1 < text.size(); ++i) {  // U+0080 to U+009F
+    if (text[i] == '\xc2' && text[i + 1] < '\xa0') text.replace(i, 2, " ");
   }
   return text;
 }
@@ -74,7 +85,7 @@ std::string ToText(const Experiment& experiment, const Findings& findings) {
       fmt::format("\n{} runs did not reach their goal; to repeat one:\n", findings.failures.size());
   for (std::size_t i = 0; i < std::min(findings.failures.size(), kMostFailures); ++i) {
     const RunRecord& run = findings.failures[i];
-    text += fmt::format("  {} ({}: {})\n", run.command, Name(run.outcome), run.message);
+    text += fmt::format("  {} ({}: {})\n", run.command, Name(run.outcome), Printable(run.message));
   }
   if (findings.failures.size() > kMostFailures) {
     text += fmt::format("  and {} more in runs.csv\n", findings.failures.size() - kMostFailures);

@@ -11,14 +11,19 @@ namespace {
 
 std::string Seconds(double seconds) { return fmt::format("{:.1f}", seconds); }
 
+/// A measure that counts the limit for what failed.
+std::string Limited(const Tally& tally, double seconds) {
+  if (tally.runs == 0) return "";
+  return tally.limit_s > 0 ? Seconds(seconds) : "-";
+}
+
 std::vector<std::string> Cells(const ReportInput& input, const Tally& tally) {
   const std::size_t reached = CountOf(tally, Outcome::kReached);
-  std::vector<std::string> cells = {fmt::format("{} of {}", reached, tally.runs),
-                                    reached == 0 ? "" : Seconds(tally.mean_time_s),
-                                    tally.runs == 0 ? "" : Seconds(tally.restricted_s),
-                                    tally.runs == 0 ? "" : Seconds(tally.par2_s)};
+  std::vector<std::string> cells = {
+      fmt::format("{} of {}", reached, tally.runs), reached == 0 ? "" : Seconds(tally.mean_time_s),
+      Limited(tally, tally.restricted_s), Limited(tally, tally.par2_s)};
   const Duel* duel = FindDuel(input.findings, tally);
-  if (duel == nullptr || duel->comparison.pairs == 0) {
+  if (duel == nullptr || duel->comparison.pairs == 0 || duel->limit_s == 0) {
     cells.insert(cells.end(), 4, "");
     return cells;
   }

@@ -2,12 +2,15 @@
 #include "apps/compare/report/trajectory.h"
 
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <system_error>
 #include <utility>
 
 namespace latchwork::compare {
 namespace {
+
+constexpr double kFarthest = 1e6;  // m
 
 template <typename Number>
 bool Take(std::string_view& text, Number& number) {
@@ -20,6 +23,11 @@ bool Take(std::string_view& text, char expected) {
   if (!text.starts_with(expected)) return false;
   text.remove_prefix(1);
   return true;
+}
+
+/// Of what is farther from the origin, or no number, no drawing can be made.
+bool Take(std::string_view& text, double& coordinate) {
+  return Take<double>(text, coordinate) && std::abs(coordinate) <= kFarthest;
 }
 
 }  // namespace

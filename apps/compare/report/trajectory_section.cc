@@ -137,7 +137,13 @@ std::string TrajectorySection(const ReportInput& input) {
   std::string figures;
   for (const Scenario& scenario : input.experiment.scenarios) {
     const auto building = input.buildings.find(scenario.name);
-    if (building == input.buildings.end()) continue;
+    if (building == input.buildings.end()) {
+      figures += fmt::format(
+          "<p class=\"note\">The floors of {} could not be drawn: the world did not run for the "
+          "report.</p>\n",
+          Escaped(scenario.name));
+      continue;
+    }
     const Layout layout = Arrange(input, scenario.name, building->second);
     if (layout.floors.empty()) continue;
     figures += fmt::format("<h3>{}</h3>\n<div class=\"charts\">\n", Escaped(scenario.name));

@@ -49,6 +49,7 @@ AgentVerdict VerdictOn(const std::string& contender, const std::vector<Duel>& du
       verdict.differences.push_back(
           {duel.scenario, fewer ? "reaches fewer goals" : "reaches more goals", OfSuccess(c)});
     }
+    if (duel.limit_s == 0) continue;
     const Verdict time = OnTime(c, level);
     if (time == Verdict::kNoDifferenceShown) {
       Append(times, ", ", fmt::format("{} ({})", duel.scenario, OfTime(c)));

@@ -12,6 +12,9 @@ namespace latchwork::compare {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using End = process::ChildResult::End;
+
+constexpr int kInternalError = 5;  // The exit code of a run that met one.
 
 constexpr std::array<std::pair<Outcome, std::string_view>, 7> kNames = {{
     {Outcome::kReached, "reached"},
@@ -67,6 +70,38 @@ void ReadSummary(const Json& summary, RunRecord& record) {
 
 std::string FirstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+RunRecord Begun(const PlannedRun& run, const process::ChildResult& child) {
+  RunRecord record;
+  record.key = run.key;
+  record.command = CommandOf(run);
+  record.wall_s = child.wall_seconds;
+  record.cpu_s = child.cpu_seconds;
+  return record;
+}
+
+/// An error inside the run counts, as a signal does; one in what it was given does not.
+Outcome OutcomeWithoutSummary(const process::ChildResult& child) {
+  const bool crashed = child.end == End::kSignalled ||
+                       (child.end == End::kExited && child.code == kInternalError) ||
+                       child.errors.find("bad_alloc") != std::string::npos;
+  return crashed ? Outcome::kCrashed : Outcome::kInvalid;
+}
+
+void ReadOutput(const process::ChildResult& child, RunRecord& record) {
+  const Json summary = Json::parse(child.output, nullptr, false);
+  const bool has_summary =
+      summary.is_object() && summary.value("outcome", "did not begin") != "did not begin";
+  if (child.end == End::kExited && has_summary) {
+    ReadSummary(summary, record);
+    return;
+  }
+  record.outcome = OutcomeWithoutSummary(child);
+  record.message =
+      child.end == End::kSignalled
+          ? fmt::format("ended by signal {}", child.code)
+          : FirstLine(summary.is_object() ? summary.value("errors", child.errors) : child.errors);
+}
+
 }  // namespace
 
 std::string_view Name(Outcome outcome) {
@@ -81,30 +116,19 @@ std::optional<Outcome> OutcomeOf(std::string_view name) {
 }
 
 RunRecord Judge(const PlannedRun& run, const process::ChildResult& child) {
-  RunRecord record;
-  record.key = run.key;
-  record.command = CommandOf(run);
-  record.wall_s = child.wall_seconds;
-  record.cpu_s = child.cpu_seconds;
-  if (child.end == process::ChildResult::End::kTimedOut) {
+  RunRecord record = Begun(run, child);
+  if (child.end == End::kTimedOut) {
     record.outcome = Outcome::kTimedOut;
     record.message = "ended: it took longer than the experiment allows";
     return record;
   }
-  const Json summary = Json::parse(child.output, nullptr, false);
-  const bool has_summary =
-      summary.is_object() && summary.value("outcome", "did not begin") != "did not begin";
-  if (child.end == process::ChildResult::End::kExited && has_summary) {
-    ReadSummary(summary, record);
-    return record;
+  try {
+    ReadOutput(child, record);
+  } catch (const Json::exception& error) {
+    record = Begun(run, child);
+    record.outcome = Outcome::kCrashed;
+    record.message = fmt::format("printed no summary of a run: {}", error.what());
   }
-  record.outcome =
-      child.end == process::ChildResult::End::kSignalled ? Outcome::kCrashed : Outcome::kInvalid;
-  record.message =
-      child.end == process::ChildResult::End::kSignalled
-          ? fmt::format("ended by signal {}", child.code)
-          : FirstLine(summary.is_object() ? summary.value("errors", child.errors) : child.errors);
-  if (child.errors.find("bad_alloc") != std::string::npos) record.outcome = Outcome::kCrashed;
   return record;
 }
 

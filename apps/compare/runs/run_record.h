@@ -20,7 +20,7 @@ enum class Outcome : std::uint8_t {
   kNotReached,  ///< When its time in the world was over.
   kFailed,      ///< The world said so.
   kTimedOut,    ///< It took longer than the experiment allows.
-  kCrashed,     ///< By a signal, or for want of memory.
+  kCrashed,     ///< By a signal, an internal error, or for want of memory.
   kInvalid,     ///< It could not begin.
 };
 std::string_view Name(Outcome outcome);

@@ -18,7 +18,7 @@ LoggedRuns ReadRunLog(const std::filesystem::path& file) {
   LoggedRuns logged;
   for (std::string line; std::getline(stream, line) && !stream.eof();) {
     auto record = FromLine(line);
-    if (!record) {
+    if (!record || record->outcome == Outcome::kInvalid) {
       logged.problem = file.string() + " holds a line that is no run; move it away to start afresh";
       return logged;
     }

@@ -101,6 +101,16 @@ TEST_F(DispatcherTest, LostWorkerSpeaksAgain_ItsRecordCountsOnce) {
   EXPECT_THAT(done_, ElementsAre(2, 1));
 }
 
+TEST_F(DispatcherTest, WorkerLostAtTheEnd_IsNotWaitedFor) {
+  Dispatcher dispatcher = Make(1, 2);
+  EXPECT_EQ(Given(dispatcher.Answer(1, kIdle, 0)), 1U);
+  EXPECT_EQ(dispatcher.Answer(1, Record(1), 1), kWait);
+  EXPECT_EQ(dispatcher.Answer(2, kIdle, 1), kStop);
+  dispatcher.Look(12);
+  EXPECT_TRUE(dispatcher.finished());
+  EXPECT_FALSE(dispatcher.together());
+}
+
 TEST_F(DispatcherTest, EverybodyLost_LeavesRunsMissing) {
   Dispatcher dispatcher = Make(2, 2);
   EXPECT_EQ(Given(dispatcher.Answer(1, kIdle, 0)), 1U);

@@ -34,6 +34,14 @@ TEST(OmplLogTest, EveryRunIsALine) {
   EXPECT_THAT(log, HasSubstr("600; 0; 1; nan; 0; 10; 25; 0; 12; \n.\n"));
 }
 
+TEST(OmplLogTest, RunThatCrashed_TakesTheWholeDuration) {
+  Trial trial;
+  RunRecord& run = trial.records.at({"floor", "bad", 12});
+  run.outcome = Outcome::kCrashed;
+  run.duration_s = 0;
+  EXPECT_THAT(ToOmplLog(trial.Input(), "floor"), HasSubstr("600; 0; 5; nan; 0; 10; 25; 0; 12; \n"));
+}
+
 TEST(OmplLogTest, StatisticsOfOmplMakeADatabaseOfIt) {
   if (process::FindProgram("ompl_benchmark_statistics").empty()) {
     GTEST_SKIP() << "ompl-demos is not installed";

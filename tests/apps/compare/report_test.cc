@@ -5,6 +5,7 @@
 #include <string>
 
 #include "apps/compare/report/floor_plan.h"
+#include "apps/compare/report/ompl_log.h"
 #include "apps/compare/report/trajectory.h"
 #include "apps/compare/report/verdicts.h"
 #include "tests/apps/compare/trial.h"
@@ -74,8 +75,34 @@ TEST(ReportTest, AgentThatAlwaysFails_HasACurveWithoutAStep) {
 TEST(ReportTest, WorldWithoutPlans_HasNoTrajectories) {
   Trial trial;
   EXPECT_THAT(trial.Page(), HasSubstr("id=\"trajectories\""));
-  trial.buildings.clear();
+  trial.buildings["floor"].clear();
   EXPECT_THAT(trial.Page(), Not(HasSubstr("id=\"trajectories\"")));
+}
+
+TEST(ReportTest, PlansThatCouldNotBeDrawn_AreMissed) {
+  Trial trial;
+  trial.buildings.clear();
+  EXPECT_THAT(trial.Page(), HasSubstr("The floors of floor could not be drawn"));
+}
+
+TEST(ReportTest, WithoutALimit_NothingIsSaidOfTimes) {
+  Trial trial;
+  for (auto& [key, run] : trial.records) {
+    run.outcome = Outcome::kTimedOut;
+    run.time_s = run.duration_s = 0;
+  }
+  trial.findings = Evaluate(trial.experiment, trial.records);
+  const std::string text = ToText(trial.experiment, trial.findings);
+  EXPECT_THAT(text, Not(HasSubstr("the same with every seed")));
+  EXPECT_THAT(text, HasSubstr("0 of 12            -         -  12 timed out"));
+  EXPECT_THAT(trial.Page(), HasSubstr("<td>0 of 12</td><td></td><td>-</td><td>-</td><td></td>"));
+  EXPECT_THAT(ToOmplLog(trial.Input(), "floor"), HasSubstr("\nnan; 0; 4; nan;"));
+}
+
+TEST(ReportTest, ControlCharactersOfMessages_DoNotReachATerminal) {
+  Trial trial;
+  trial.findings.failures[0].message = "a\x1b[2J\xc2\x9b\n\xc3\xa9";
+  EXPECT_THAT(ToText(trial.experiment, trial.findings), HasSubstr("collision: a [2J  \xc3\xa9)"));
 }
 
 TEST(ReportTest, TrajectoriesAreDrawnWhereThePlanSays) {
@@ -105,6 +132,12 @@ TEST(TrajectoryTextTest, IsReadByFloors) {
 TEST(TrajectoryTextTest, WhatIsTornOff_IsLeftOut) {
   EXPECT_THAT(ReadTrajectory("1 2,3;2 9"), ElementsAre(Stay{1, {{2, 3}}}));
   EXPECT_THAT(ReadTrajectory("one"), IsEmpty());
+}
+
+TEST(TrajectoryTextTest, PlacesThatNoDrawingCanShow_EndIt) {
+  for (const char* place : {"nan,1", "1,inf", "1e300,1", "1,-1000001"}) {
+    EXPECT_THAT(ReadTrajectory(std::string("1 2,3;2 ") + place), ElementsAre(Stay{1, {{2, 3}}}));
+  }
 }
 
 TEST(SignedTest, NoughtsHaveNoSign) {

@@ -47,6 +47,13 @@ TEST(RunRecordTest, ProcessesThatDoNotEndWell) {
   child.end = process::ChildResult::End::kTimedOut;
   EXPECT_EQ(Judge(kRun, child).outcome, Outcome::kTimedOut);
   EXPECT_EQ(JudgeOutput("", "internal error: std::bad_alloc").outcome, Outcome::kCrashed);
+  EXPECT_EQ(JudgeOutput(R"({"outcome":3})").outcome, Outcome::kCrashed);
+  EXPECT_EQ(JudgeOutput(R"({"outcome":"reached","layers":[3]})").outcome, Outcome::kCrashed);
+  child.end = process::ChildResult::End::kExited;
+  child.code = 5;
+  EXPECT_EQ(Judge(kRun, child).outcome, Outcome::kCrashed);
+  child.code = 3;
+  EXPECT_EQ(Judge(kRun, child).outcome, Outcome::kInvalid);
 }
 
 TEST(RunRecordTest, CommandIsQuotedForAShell) {
@@ -89,6 +96,12 @@ TEST(RunLogTest, ReadingLeavesATornLineWhereItIs) {
   const auto file = folder.Write("runs.jsonl", line + line.substr(0, 20));
   EXPECT_EQ(ReadRunLog(file).runs.size(), 1U);
   EXPECT_EQ(std::filesystem::file_size(file), line.size() + 20);
+}
+
+TEST(RunLogTest, RunThatCouldNotBegin_IsNoneToGoOnFrom) {
+  const test::TemporaryFolder folder;
+  const std::string line = ToLine(Record("pttp", 1, Outcome::kInvalid, 0)) + "\n";
+  EXPECT_NE(ReadRunLog(folder.Write("runs.jsonl", line)).problem, "");
 }
 
 TEST(FindingsTest, AgentThatAlwaysFails_IsSlowerAndReachesLess) {
