@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "reasoners/circumscription/exact/derivation.h"
+#include "reasoners/circumscription/explanation/match.h"
 #include "reasoners/circumscription/explanation/near_miss.h"
 
 namespace latchwork::circumscription {
@@ -149,7 +150,7 @@ std::optional<sdk::Explanation> ExactDecider::WhyNot(const sdk::Decision& decisi
   sdk::Explanation explanation{ToString(pattern), false, {}, {}};
   for (std::size_t i = 0; i < conclusions_.size() && !explanation.holds; ++i) {
     const logic::Fact fact = evaluator_.FactOf(conclusions_[i]);
-    if (NameOf(fact) != NameOf(pattern) || (pattern.is_ground() && !(fact == pattern))) continue;
+    if (!Matches(pattern, fact)) continue;
     explanation.holds = true;
     explanation.derivation = DeriveFact(evaluator_, conclusions_[i], ports_);
   }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "reasoners/circumscription/exact/search_reasons.h"
+#include "reasoners/circumscription/explanation/match.h"
 #include "reasoners/circumscription/explanation/near_miss.h"
 
 namespace latchwork::circumscription {
@@ -255,7 +256,7 @@ Atom SearchDecider::FirstOpen(const logic::Atom& pattern) const {
   for (Atom atom = 1; atom <= static_cast<Atom>(store_.theory().atoms.size()); ++atom) {
     if (store_.place(atom).is_given) continue;
     const logic::Fact fact = FactOf(store_, evaluator_.bank(), program_.relations(), atom);
-    if (NameOf(fact) != NameOf(pattern) || (pattern.is_ground() && !(fact == pattern))) continue;
+    if (!Matches(pattern, fact)) continue;
     if (std::find(undecided_.begin(), undecided_.end(), atom) != undecided_.end()) return atom;
     if (first == 0) first = atom;
   }
@@ -266,7 +267,7 @@ std::optional<sdk::Explanation> SearchDecider::WhyNot(const sdk::Decision& decis
                                                       const logic::Atom& pattern) const {
   for (std::size_t i = 0; i < decision.conclusions.size(); ++i) {
     const logic::Fact& fact = decision.conclusions[i].fact;
-    if (NameOf(fact) != NameOf(pattern) || (pattern.is_ground() && !(fact == pattern))) continue;
+    if (!Matches(pattern, fact)) continue;
     return sdk::Explanation{ToString(pattern), true, {}, Explain(decision, i)};
   }
   std::vector<sdk::NearMiss> misses = NearMissesOf(pattern, evaluator_, symbols_);

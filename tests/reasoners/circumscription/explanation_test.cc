@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "tests/reasoners/circumscription/circumscribing_mind.h"
 
@@ -163,6 +164,63 @@ TEST_F(SearchedExplanationTest, AskingDoesNotChangeLaterCycles) {
   mind_.Latch(0, {"move(on)", "bird(opus)"});
   mind_.Decide();
   EXPECT_EQ(ToText(*mind_.reasoner.WhyNot(mind_.Atom("push(left)"))), before);
+}
+
+/// Asks about near(b, c), which holds; a search is needed while `move` does.
+class PatternTest : public ::testing::Test {
+ protected:
+  PatternTest()
+      : mind_(
+            "fof(near, axiom, ! [X, Y] : (seen(X, Y) => near(X, Y))).\n"
+            "fof(some, axiom, ! [M] : (move(M) => (push(left, M) | push(right, M)))).\n") {
+    mind_.Input("seen", 2);
+    mind_.Input("move", 1);
+    mind_.Minimize("push", 2);
+    mind_.Goal("near(X, Y)", sdk::Goal::Answers::kAll);
+    mind_.Goal("push(X, Y)", sdk::Goal::Answers::kAll);
+    mind_.Parameter("mode", "exact");
+    mind_.Load();
+    mind_.Latch(0, {"seen(b, c)", "seen(f(b, b), d)"});
+  }
+
+  void DecideWith(const std::vector<std::string>& facts) {
+    mind_.Latch(1, facts);
+    mind_.Decide();
+  }
+
+  std::string TextOf(const char* pattern) {
+    const auto explanation = mind_.reasoner.WhyNot(mind_.Atom(pattern));
+    return explanation ? ToText(*explanation) : "none";
+  }
+
+  void ExpectOnlyInstancesAnswer() {
+    for (const char* pattern : {"near(a, X)", "near(X, X)", "near(f(X, Y), Y)", "near(c, b)"}) {
+      EXPECT_THAT(TextOf(pattern), ::testing::StartsWith("nothing concludes")) << pattern;
+    }
+    for (const char* pattern : {"near(b, X)", "near(X, Y)", "near(b, c)"}) {
+      EXPECT_THAT(TextOf(pattern), ::testing::HasSubstr("seen(b, c)  [latch latch0]")) << pattern;
+    }
+    EXPECT_THAT(TextOf("near(f(X, X), Y)"),
+                ::testing::HasSubstr("seen(f(b, b), d)  [latch latch0]"));
+  }
+
+  CircumscribingMind mind_;
+};
+
+TEST_F(PatternTest, OnlyItsInstancesAnswerWithoutASearch) {
+  DecideWith({});
+  ExpectOnlyInstancesAnswer();
+}
+
+TEST_F(PatternTest, OnlyItsInstancesAnswerAfterASearch) {
+  DecideWith({"move(on)"});
+  ExpectOnlyInstancesAnswer();
+}
+
+TEST_F(PatternTest, WorldsAreShownForItsInstancesOnly) {
+  DecideWith({"move(on)"});
+  EXPECT_THAT(TextOf("push(left, X)"), ::testing::HasSubstr("some minimal world"));
+  EXPECT_EQ(TextOf("push(up, X)"), "nothing concludes push(up, X0), nor could\n");
 }
 
 TEST_F(ExplanationTest, BoundedDecisionsHaveNone) {
