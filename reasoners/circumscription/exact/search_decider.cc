@@ -88,6 +88,7 @@ bool SearchDecider::Decide(std::span<const sdk::Latch> latches, const sdk::Budge
                            sdk::Decision& decision) {
   ports_.resize(latches.size());
   for (std::size_t i = 0; i < latches.size(); ++i) ports_[i] = latches[i].port;
+  Forget();
   const Evaluator::End end = Ground(latches, budget);
   if (end == Evaluator::End::kRefused) return false;
   decision.Clear();
@@ -99,13 +100,20 @@ bool SearchDecider::Decide(std::span<const sdk::Latch> latches, const sdk::Budge
   return true;
 }
 
-void SearchDecider::Answer(sdk::Decision& decision) {
-  Prepare();
+/// Nothing of an earlier cycle explains one whose grounding does not come to its end.
+void SearchDecider::Forget() {
+  latches_.clear();
   assumed_.clear();
   made_.clear();
   concluded_.clear();
   undecided_.clear();
   is_unknown_ = false;
+  is_answered_ = false;
+}
+
+void SearchDecider::Answer(sdk::Decision& decision) {
+  Prepare();
+  is_answered_ = true;
   const Verdict inconsistent = engine_->IsInconsistent().verdict;
   if (inconsistent == Verdict::kYes) {
     decision.status = sdk::Status::kInconsistent;
@@ -238,7 +246,7 @@ sdk::Derivation SearchDecider::Explain(const sdk::Decision& decision,
 }
 
 std::optional<sdk::Explanation> SearchDecider::ExplainAssumption(std::size_t assumption) const {
-  if (assumption >= assumed_.size()) return std::nullopt;
+  if (!is_answered_ || assumption >= assumed_.size()) return std::nullopt;
   const Atom atom = assumed_[assumption];
   const logic::Fact fact = FactOf(store_, evaluator_.bank(), program_.relations(), atom);
   if (made_[assumption] == 0) {
@@ -265,6 +273,7 @@ Atom SearchDecider::FirstOpen(const logic::Atom& pattern) const {
 
 std::optional<sdk::Explanation> SearchDecider::WhyNot(const sdk::Decision& decision,
                                                       const logic::Atom& pattern) const {
+  if (!is_answered_) return std::nullopt;
   for (std::size_t i = 0; i < decision.conclusions.size(); ++i) {
     const logic::Fact& fact = decision.conclusions[i].fact;
     if (!Matches(pattern, fact)) continue;

@@ -39,7 +39,8 @@ class SearchDecider final : private InstanceSink {
   /// Why the default of an assumption of the last decision was made, or what retracted it. Nothing:
   /// there is no such assumption, or the search for reasons came to no end.
   std::optional<sdk::Explanation> ExplainAssumption(std::size_t assumption) const;
-  /// Why no instance of `pattern` is concluded, or how the first one is.
+  /// Why no instance of `pattern` is concluded, or how the first one is. Nothing: as above, or the
+  /// budget did not suffice to ground the cycle.
   std::optional<sdk::Explanation> WhyNot(const sdk::Decision& decision,
                                          const logic::Atom& pattern) const;
 
@@ -57,6 +58,7 @@ class SearchDecider final : private InstanceSink {
 
   Evaluator::End Ground(std::span<const sdk::Latch> latches, const sdk::Budget& budget);
   void Prepare();
+  void Forget();
   void Answer(sdk::Decision& decision);
   void AnswerGoal(std::size_t goal, sdk::Decision& decision);
   Standing StandingOf(Literal literal);
@@ -85,6 +87,7 @@ class SearchDecider final : private InstanceSink {
   std::vector<Atom> concluded_;  ///< By conclusion; 0: the body says so.
   std::vector<Atom> undecided_;  ///< By undecided goal instance.
   bool is_unknown_ = false;
+  bool is_answered_ = false;  ///< The budget was enough to ground the last cycle.
 };
 
 }  // namespace latchwork::circumscription

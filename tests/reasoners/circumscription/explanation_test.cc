@@ -223,6 +223,28 @@ TEST_F(PatternTest, WorldsAreShownForItsInstancesOnly) {
   EXPECT_EQ(TextOf("push(up, X)"), "nothing concludes push(up, X0), nor could\n");
 }
 
+TEST(SpentExplanationTest, NothingIsExplainedWhereTheBudgetRanOut) {
+  CircumscribingMind mind("fof(some, axiom, ! [M] : (move(M) => (push(left) | push(right)))).\n");
+  mind.Input("move", 1);
+  mind.Minimize("push", 1);
+  mind.Parameter("entailment", "brave");
+  mind.Goal("push(left)");
+  mind.Parameter("mode", "exact");
+  mind.Load();
+  const logic::Atom pattern = mind.body.goals[0].pattern;
+  mind.Latch(0, {"move(on)"});
+  mind.budget.inferences = 1;
+  ASSERT_EQ(mind.Decide().limit, sdk::Limit::kInferences);
+  EXPECT_FALSE(mind.reasoner.WhyNot(pattern).has_value());
+  mind.budget.inferences = 1000;
+  mind.Decide();
+  EXPECT_TRUE(mind.reasoner.WhyNot(pattern).has_value());
+  mind.Latch(0, {"move(on)", "move(off)"});
+  mind.budget.inferences = 1;
+  ASSERT_EQ(mind.Decide().limit, sdk::Limit::kInferences);
+  EXPECT_FALSE(mind.reasoner.WhyNot(pattern).has_value());
+}
+
 TEST_F(ExplanationTest, BoundedDecisionsHaveNone) {
   CircumscribingMind mind(kReflex);
   mind.Goal("fwd(V)");
