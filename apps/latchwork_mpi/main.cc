@@ -94,14 +94,26 @@ int ExitCode(const compare::Trouble& trouble, std::size_t missing) {
   return app::kInternalError;
 }
 
+MasterOptions MasterOptionsOf(const Options& options) {
+  return {options.patience_seconds, Endurance(options.patience_seconds), options.quiet};
+}
+
+/// After the results are written: who waits for the others may wait for somebody who just died.
+int End(MpiLink& link, const Shift& shift, int exit_code) {
+  if (!shift.together) {
+    fmt::print(stderr, "a worker was lost: should mpirun wait for it, end mpirun\n");
+    LeaveAlone(exit_code);
+  }
+  std::fflush(nullptr);
+  link.Part();
+  return exit_code;
+}
+
 int LeadExperiment(MpiLink& link, const compare::Experiment& experiment, const Options& options) {
   const std::filesystem::path out =
       options.out.empty() ? std::filesystem::path("out") / options.experiment.stem() : options.out;
   compare::ResultFolder folder(experiment, out);
-  const Shift shift =
-      Lead(link, experiment, folder,
-           {options.patience_seconds, Endurance(options.patience_seconds), options.quiet});
-  if (shift.together) link.Part();
+  const Shift shift = Lead(link, experiment, folder, MasterOptionsOf(options));
   const std::string report = folder.WriteResults(
       {LaunchOf(options),
        {fmt::format("latchwork-mpi {} --out {}", compare::ForShell(options.experiment.string()),
@@ -109,9 +121,15 @@ int LeadExperiment(MpiLink& link, const compare::Experiment& experiment, const O
         "latchwork", LATCHWORK_VERSION}});
   const int exit_code = ExitCode(folder.trouble(), shift.missing);
   fmt::print("{}", report);
-  if (shift.together) return exit_code;
-  fmt::print(stderr, "a worker was lost: should mpirun wait for it, end mpirun\n");
-  LeaveAlone(exit_code);
+  return End(link, shift, exit_code);
+}
+
+/// Only here need the file be: the others are told all that they need of it.
+int ReadAndLead(MpiLink& link, const Options& options) {
+  const compare::ExperimentFile file = compare::ReadExperiment(options.experiment);
+  if (file.experiment) return LeadExperiment(link, *file.experiment, options);
+  fmt::print(stderr, "{}", logic::Format(file.diagnostics));
+  return End(link, SendAway(link, MasterOptionsOf(options)), app::kInvalidInput);
 }
 
 int Start(int argc, char** argv) {
@@ -127,14 +145,9 @@ int Start(int argc, char** argv) {
     if (IsSpeaker()) fmt::print(stderr, "latchwork-mpi: {}\n  see: --help\n", error.what());
     return app::kUsage;
   }
-  const compare::ExperimentFile file = compare::ReadExperiment(options.experiment);
-  if (!file.experiment) {
-    if (IsSpeaker()) fmt::print(stderr, "{}", logic::Format(file.diagnostics));
-    return app::kInvalidInput;
-  }
   MpiLink link(argc, argv);
   if (link.rank() > 0) return Serve(link, options);
-  if (link.size() > 1) return LeadExperiment(link, *file.experiment, options);
+  if (link.size() > 1) return ReadAndLead(link, options);
   fmt::print(stderr,
              "latchwork-mpi: there is no worker; start it with mpirun and -n 2 or more:\n"
              "  mpirun --enable-recovery -n 3 latchwork-mpi {}\n",

@@ -21,6 +21,28 @@ double Now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+compare::Dispatcher::Options Dispatching(const MpiLink& link, const MasterOptions& options) {
+  compare::Dispatcher::Options dispatching;
+  dispatching.workers = link.size() - 1;
+  dispatching.patience_seconds = options.patience_seconds;
+  dispatching.endurance_seconds = options.endurance_seconds;
+  dispatching.on_loss = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
+  return dispatching;
+}
+
+Shift Attend(MpiLink& link, compare::Dispatcher& dispatcher) {
+  while (!dispatcher.finished()) {
+    if (const auto message = link.Receive()) {
+      link.Send(message->from, dispatcher.Answer(message->from, message->text, Now()));
+      continue;
+    }
+    dispatcher.Look(Now());
+    std::this_thread::sleep_for(500us);
+  }
+  link.Flush();
+  return {dispatcher.missing(), dispatcher.together()};
+}
+
 }  // namespace
 
 Shift Lead(MpiLink& link, const compare::Experiment& experiment, compare::ResultFolder& folder,
@@ -30,26 +52,19 @@ Shift Lead(MpiLink& link, const compare::Experiment& experiment, compare::Result
   const std::size_t total = runs.size();
   std::size_t done = 0;
   app::Progress progress("runs", options.quiet);
-  compare::Dispatcher::Options dispatching;
-  dispatching.workers = link.size() - 1;
-  dispatching.patience_seconds = options.patience_seconds;
-  dispatching.endurance_seconds = options.endurance_seconds;
+  compare::Dispatcher::Options dispatching = Dispatching(link, options);
   dispatching.limits = experiment.limits;
   dispatching.on_done = [&](const compare::RunRecord& record) {
     progress.Update(++done, total);
     return folder.Keep(record);
   };
-  dispatching.on_loss = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
   compare::Dispatcher dispatcher(std::move(runs), std::move(dispatching), Now());
-  while (!dispatcher.finished()) {
-    if (const auto message = link.Receive()) {
-      link.Send(message->from, dispatcher.Answer(message->from, message->text, Now()));
-      continue;
-    }
-    dispatcher.Look(Now());
-    std::this_thread::sleep_for(500us);
-  }
-  return {dispatcher.missing(), dispatcher.together()};
+  return Attend(link, dispatcher);
+}
+
+Shift SendAway(MpiLink& link, const MasterOptions& options) {
+  compare::Dispatcher dispatcher({}, Dispatching(link, options), Now());
+  return Attend(link, dispatcher);
 }
 
 }  // namespace latchwork::mpi

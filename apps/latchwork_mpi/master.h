@@ -24,6 +24,9 @@ struct Shift {
 Shift Lead(MpiLink& link, const compare::Experiment& experiment, compare::ResultFolder& folder,
            const MasterOptions& options);
 
+/// Tells the workers that there is nothing to do.
+Shift SendAway(MpiLink& link, const MasterOptions& options);
+
 }  // namespace latchwork::mpi
 
 #endif  // LATCHWORK_APPS_LATCHWORK_MPI_MASTER_H_

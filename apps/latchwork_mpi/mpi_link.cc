@@ -3,12 +3,16 @@
 
 #include <mpi.h>
 
+#include <chrono>
 #include <cstddef>
 #include <list>
+#include <thread>
 #include <utility>
 
 namespace latchwork::mpi {
 namespace {
+
+using namespace std::chrono_literals;
 
 constexpr int kTag = 1;
 
@@ -52,6 +56,11 @@ void MpiLink::Send(int to, std::string text) {
 bool MpiLink::sent_all() {
   transfers_->sending.remove_if(IsOver);
   return transfers_->sending.empty();
+}
+
+void MpiLink::Flush() {
+  const auto end = std::chrono::steady_clock::now() + 2s;
+  while (!sent_all() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(500us);
 }
 
 std::optional<Message> MpiLink::Receive() {

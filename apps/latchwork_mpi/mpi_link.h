@@ -14,7 +14,8 @@ struct Message {
 };
 
 /// Texts between the processes that mpirun started. Nothing here waits for another process, which
-/// may be dead, but Part(). Thread rule: the thread that made it; one per process.
+/// may be dead, but Part(), and for a short time Flush(). Thread rule: the thread that made it; one
+/// per process.
 class MpiLink {
  public:
   MpiLink(int& argc, char**& argv);
@@ -28,14 +29,16 @@ class MpiLink {
   void Send(int to, std::string text);
   /// The next text that has arrived whole.
   std::optional<Message> Receive();
-  /// Whether everything sent has left this process.
-  bool sent_all();
+  /// Lets everything sent leave this process, but waits for two seconds at most.
+  void Flush();
 
   /// Ends the use of MPI, together with all other processes.
   void Part();
 
  private:
   struct Transfers;
+  /// Whether everything sent has left this process.
+  bool sent_all();
   std::unique_ptr<Transfers> transfers_;
   int rank_ = 0;
   int size_ = 1;

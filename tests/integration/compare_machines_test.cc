@@ -139,6 +139,7 @@ TEST_F(MpiTest, FourRanks_GiveTheSameBytes) {
 }
 
 TEST_F(MpiTest, WorkerThatDies_IsReplaced) {
+  WriteExperiment("seeds=\"1-12\"");  // so many that worker 3 gets one
   ASSERT_EQ(Compare({"--out", "whole"}).exit_code, 0);
   const std::string rest = "towers.xml --quiet --out all --patience 2";
   const CommandResult result =
@@ -146,7 +147,7 @@ TEST_F(MpiTest, WorkerThatDies_IsReplaced) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err,
               HasSubstr("worker 3 is silent; another one makes its run: latchwork run"));
-  EXPECT_EQ(CountLines("all/runs.jsonl"), 9U);
+  EXPECT_EQ(CountLines("all/runs.jsonl"), 36U);
   EXPECT_EQ(Bytes("all"), Bytes("whole"));
 }
 
@@ -167,6 +168,21 @@ TEST_F(MpiTest, RunThatCannotBegin_EndsTheExperiment) {
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_THAT(result.err, HasSubstr("a run cannot begin: latchwork run"));
   EXPECT_THAT(ReadText(scratch_.path() / "all/runs.jsonl"), Not(HasSubstr("slipping")));
+}
+
+TEST_F(MpiTest, OnlyTheMaster_NeedsTheExperiment) {
+  ASSERT_EQ(Compare({"--out", "whole"}).exit_code, 0);
+  const CommandResult result = Mpi(
+      "-n 1 latchwork-mpi towers.xml --quiet --out all : -n 2 latchwork-mpi elsewhere.xml --quiet");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(Bytes("all"), Bytes("whole"));
+}
+
+TEST_F(MpiTest, MissingExperiment_SendsTheWorkersAway) {
+  const CommandResult result = Mpi("-n 3 latchwork-mpi elsewhere.xml --quiet");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("elsewhere.xml"));
+  EXPECT_THAT(result.err, Not(HasSubstr("the master is silent")));
 }
 
 TEST_F(MpiTest, OneProcess_HasNoWorker) {
