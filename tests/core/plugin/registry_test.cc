@@ -211,8 +211,8 @@ TEST(RegistryTest, List_IsInTheOrderOfTheSearchPathAndThenOfNames) {
   const Registry registry({kFaults});
   std::vector<std::string> names;
   for (const PluginEntry& entry : registry.List()) names.push_back(entry.name);
-  EXPECT_THAT(names, ElementsAre("bad_facts", "hangs", "inconsistent", "over_budget", "returns_nan",
-                                 "silent", "throws", "wrong_abi"));
+  EXPECT_THAT(names, ElementsAre("bad_facts", "forgetful", "hangs", "inconsistent", "over_budget",
+                                 "returns_nan", "silent", "throws", "wrong_abi"));
 }
 
 }  // namespace
