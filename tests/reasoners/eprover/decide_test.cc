@@ -101,7 +101,7 @@ TEST_F(EproverTest, DefaultUnderAnEquation_IsClosed) {
   ASSERT_EQ(mind.decision.assumptions.size(), 1U);
 }
 
-TEST_F(EproverTest, HeuristicIsGivenToE) {
+TEST_F(EproverTest, OtherHeuristic_AnswersAlike) {
   Mind mind("fof(a, axiom, ![X] : (in(X) => out(X))).");
   mind.Input("in", 1);
   mind.Goal("out(X)", Answers::kAll);
