@@ -117,6 +117,29 @@ class Clauses {
   std::map<Variable, Term> values_;
 };
 
+/// Reads clauses such that variables of the same name are one.
+class SharedVariables {
+ public:
+  /// False where the formula is no clause, or too deep.
+  bool Read(const AnnotatedFormula& formula, Literals& clause) {
+    if (!ToLiterals(formula.formula, clause)) return false;
+    std::map<Variable, Term> values;
+    for (std::size_t i = 0; i < formula.variable_names.size(); ++i) {
+      const auto next = static_cast<Variable>(numbers_.size());
+      const auto place = numbers_.emplace(formula.variable_names[i], next).first;
+      values.emplace(static_cast<Variable>(i), Term::Var(place->second));
+    }
+    for (Literal& literal : clause) {
+      if (!IsShallow(literal.atom)) return false;
+      literal.atom = Substitute(literal.atom, values);
+    }
+    return true;
+  }
+
+ private:
+  std::map<std::string, Variable> numbers_;
+};
+
 }  // namespace
 
 Verdict Entails(const std::vector<const AnnotatedFormula*>& premises, const Formula& conclusion,
@@ -159,23 +182,16 @@ bool ToLiterals(const Formula& formula, std::vector<Literal>& literals) {
   return true;
 }
 
-Verdict ContradictAsClauses(const std::vector<const AnnotatedFormula*>& formulas) {
-  std::map<std::string, Variable> numbers;
-  std::vector<Literals> clauses;
-  for (const AnnotatedFormula* formula : formulas) {
-    Literals& clause = clauses.emplace_back();
-    if (!ToLiterals(formula->formula, clause)) return Verdict::kTooHard;
-    std::map<Variable, Term> shared;
-    for (std::size_t i = 0; i < formula->variable_names.size(); ++i) {
-      const auto number = static_cast<Variable>(numbers.size());
-      const auto place = numbers.emplace(formula->variable_names[i], number).first;
-      shared.emplace(static_cast<Variable>(i), Term::Var(place->second));
-    }
-    for (Literal& literal : clause) {
-      if (!IsShallow(literal.atom)) return Verdict::kTooHard;
-      literal.atom = Substitute(literal.atom, shared);
-    }
+Verdict EntailsAsClauses(const std::vector<const AnnotatedFormula*>& premises,
+                         const AnnotatedFormula& conclusion) {
+  SharedVariables shared;
+  std::vector<Literals> clauses(premises.size());
+  for (std::size_t i = 0; i < premises.size(); ++i) {
+    if (!shared.Read(*premises[i], clauses[i])) return Verdict::kTooHard;
   }
+  Literals concluded;
+  if (!shared.Read(conclusion, concluded)) return Verdict::kTooHard;
+  for (const Literal& literal : concluded) clauses.push_back({{!literal.positive, literal.atom}});
   return Contradict(clauses);
 }
 

@@ -14,9 +14,10 @@ namespace latchwork::check_proof {
 Verdict Entails(const std::vector<const logic::AnnotatedFormula*>& premises,
                 const logic::Formula& conclusion, logic::SymbolTable& symbols);
 
-/// Whether formulas that are clauses contradict each other by propositional logic alone, where
-/// variables of the same name are one. kTooHard where a formula is no clause.
-Verdict ContradictAsClauses(const std::vector<const logic::AnnotatedFormula*>& formulas);
+/// Whether a clause follows from formulas that are clauses by propositional logic alone, where
+/// variables of the same name are one. kTooHard where one of them is no clause.
+Verdict EntailsAsClauses(const std::vector<const logic::AnnotatedFormula*>& premises,
+                         const logic::AnnotatedFormula& conclusion);
 
 /// The literals of a disjunction below universal quantifiers; false when it is something else.
 bool ToLiterals(const logic::Formula& formula, std::vector<logic::Literal>& literals);

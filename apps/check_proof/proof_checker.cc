@@ -31,7 +31,7 @@ Finding Unchecked(std::string reason) { return {StepState::kUnchecked, std::move
 struct Step {
   const AnnotatedFormula* formula = nullptr;
   bool assumes_conjecture = false;  ///< It is a conjecture, or follows from one.
-  bool is_instance = false;         ///< Of a clause, or true by itself.
+  bool is_instance = false;         ///< Of a clause, or true by itself, or resolved from such.
   std::optional<std::pair<logic::PredicateName, Definition>> definition;
 };
 
@@ -213,7 +213,8 @@ class Checker {
 
   Finding CheckInference(Step& step, const Inference& inference) {
     if (inference.statuses == std::set<std::string>{"cth"}) return CheckNegation(step, inference);
-    step.is_instance = inference.rule == "instantiate";
+    step.is_instance = inference.rule == "instantiate" ||
+                       (inference.rule == "resolution" && FollowsFromInstances(inference));
     step.assumes_conjecture =
         std::any_of(inference.parents.begin(), inference.parents.end(),
                     [](const Step* each) { return each->assumes_conjecture; });
@@ -279,13 +280,11 @@ class Checker {
       const Verdict verdict = CheckNormalForm(formula, inference);
       return Judge(verdict, "it is no normal form of its parent");
     }
-    if (formula.formula.kind() == Formula::Kind::kFalse) {
-      const Verdict verdict = ContradictAsClauses(premises);
+    if (inference.rule == "resolution" || formula.formula.kind() == Formula::Kind::kFalse) {
+      const Verdict verdict = EntailsAsClauses(premises, formula);
       if (verdict == Verdict::kYes) return {};
-      const bool instances = std::all_of(inference.parents.begin(), inference.parents.end(),
-                                         [](const Step* each) { return each->is_instance; });
-      if (verdict == Verdict::kNo && instances) {
-        return Rejected("its parents do not contradict each other by propositional logic");
+      if (verdict == Verdict::kNo && FollowsFromInstances(inference)) {
+        return Rejected("it does not follow from its parents by propositional logic");
       }
     }
     const Verdict verdict = ReadOff(formula.formula, premises);
@@ -293,6 +292,11 @@ class Checker {
     if (inference.rule == "instantiate") return Judge(verdict, "it is no instance of its parent");
     return Judge(Entails(premises, formula.formula, symbols_),
                  "it does not follow from its parents");
+  }
+
+  static bool FollowsFromInstances(const Inference& inference) {
+    return std::all_of(inference.parents.begin(), inference.parents.end(),
+                       [](const Step* each) { return each->is_instance; });
   }
 
   /// Whether a clause can be read off one of the premises.

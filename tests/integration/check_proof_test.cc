@@ -168,7 +168,7 @@ const Change kChanges[] = {
      "~ s(f(X)), inference(clausify", "does not follow"},
     {"InstanceNegated", "cnf(instance_2, plain, ~", "cnf(instance_2, plain,", "no instance"},
     {"ParentUnknown", "[status(thm)],[clause_1]", "[status(thm)],[clause_77]", "does not stand"},
-    {"ParentDropped", "[instance_1,", "[", "do not contradict"},
+    {"ParentDropped", "[instance_1,", "[", "by propositional logic"},
     {"NameTaken", "cnf(instance_2,", "cnf(instance_1,", "another step has this name"},
     {"ConjectureTakenForGranted", "[instance_1,", "[c1,instance_1,", "takes a conjecture"},
     {"NoSource", ", inference(instantiate,[status(thm)],[clause_1])", "", "does not say where"},

@@ -6,7 +6,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "reasoners/pttp/proofs/proof_premise.h"
@@ -17,7 +16,8 @@ namespace latchwork::pttp {
 
 /// Writes a refutation as a TSTP derivation: the formulas used, their clauses, and either one
 /// instance of a clause for each step of a tableau and $false, which follows from the instances by
-/// propositional logic alone, or each conclusion of a saturation.
+/// propositional logic alone (of many instances: in steps with few parents), or each conclusion of
+/// a saturation.
 class ProofPrinter {
  public:
   /// `clauses`: what was searched, the clauses of the formulas among them.
@@ -40,14 +40,21 @@ class ProofPrinter {
   std::vector<ProofPremise> premises;  ///< Of a tableau: all that was added.
 
  private:
+  /// One of the clauses that contradict each other.
+  struct Premise {
+    std::string name;
+    std::vector<logic::Literal> literals;
+  };
+
   void AddAnswer(const ClauseInstance& instance);
+  void PrintChain(const std::vector<Premise>& all);
 
   std::span<const logic::Clause> clauses_;
   ProofSources sources_;
   TstpPrinter tstp_;
   std::set<std::string> known_instances_;
-  std::vector<std::pair<std::string, std::string>> instances_;  ///< Text, and name of the clause.
-  std::vector<std::string> facts_;                              ///< Names.
+  std::vector<Premise> instances_;  ///< With the names of the clauses.
+  std::vector<Premise> facts_;
 };
 
 }  // namespace latchwork::pttp
