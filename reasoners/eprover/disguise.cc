@@ -3,121 +3,102 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <optional>
-#include <utility>
-#include <vector>
+#include <algorithm>
+#include <iterator>
 
 namespace latchwork::eprover {
 namespace {
 
-/// A term with its leaves replaced. Facts may be nested deeply: nothing recurses.
-template <typename Replace>
-logic::Term Map(const logic::Term& term, const Replace& replace) {
-  struct Visit {
-    const logic::Term* term;
-    bool is_done;
-  };
-  std::vector<Visit> open = {{&term, false}};
-  std::vector<logic::Term> results;
-  while (!open.empty()) {
-    const Visit visit = open.back();
-    open.pop_back();
-    const auto arguments = visit.term->arguments();
-    if (arguments.empty()) {
-      results.push_back(replace(*visit.term));
-    } else if (!visit.is_done) {
-      open.push_back({visit.term, true});
-      for (std::size_t i = arguments.size(); i > 0; --i) open.push_back({&arguments[i - 1], false});
-    } else {
-      const auto first = results.end() - static_cast<std::ptrdiff_t>(arguments.size());
-      std::vector<logic::Term> parts(first, results.end());
-      results.erase(first, results.end());
-      results.push_back(logic::Term::Compound(visit.term->symbol(), std::move(parts)));
-    }
-  }
-  return std::move(results.back());
-}
-
-template <typename Replace>
-logic::Atom MapAtom(const logic::Atom& atom, const Replace& replace) {
-  std::vector<logic::Term> arguments;
-  for (const logic::Term& argument : atom.arguments()) arguments.push_back(Map(argument, replace));
-  return {atom.predicate(), arguments};
-}
-
 constexpr char kMark = '#';
 
-bool IsMarked(const logic::Term& leaf) {
-  return leaf.kind() == logic::Term::Kind::kConstant &&
-         leaf.symbol().kind() == logic::SymbolKind::kDistinctObject &&
-         leaf.symbol().name().starts_with(kMark);
+bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+
+bool IsOfWord(char c) {
+  return IsDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$';
 }
 
-logic::Term DistinctObject(std::string_view name, logic::SymbolTable& symbols) {
-  return logic::Term::Constant(symbols.Intern(name, logic::SymbolKind::kDistinctObject));
+std::size_t EndOfQuoted(std::string_view text) {
+  std::size_t end = 1;
+  while (end < text.size() && text[end] != text[0]) end += text[end] == '\\' ? 2 : 1;
+  return std::min(end + 1, text.size());
 }
 
-auto Hider(logic::SymbolTable& symbols) {
-  return [&symbols](const logic::Term& leaf) {
-    if (leaf.is_number()) return DistinctObject(kMark + ToString(leaf), symbols);
-    if (!IsMarked(leaf)) return leaf;
-    return DistinctObject(kMark + std::string(leaf.symbol().name()), symbols);
-  };
+/// `-1.5e-07`: a sign belongs to a number at its beginning and behind its `e`.
+std::size_t EndOfNumber(std::string_view text) {
+  std::size_t end = 1;
+  while (end < text.size()) {
+    const bool is_sign = (text[end] == '-' || text[end] == '+') && (text[end - 1] | 0x20) == 'e';
+    if (!is_sign && text[end] != '.' && !IsOfWord(text[end])) break;
+    ++end;
+  }
+  return end;
 }
 
-std::optional<logic::Term> NumberIn(std::string_view text) {
-  const char* const end = text.data() + text.size();
-  std::int64_t integer = 0;
-  const auto whole = std::from_chars(text.data(), end, integer);
-  if (whole.ec == std::errc() && whole.ptr == end) return logic::Term::Integer(integer);
-  double real = 0;
-  const auto read = std::from_chars(text.data(), end, real);
-  if (read.ec == std::errc() && read.ptr == end) return logic::Term::Real(real);
-  return std::nullopt;
+bool BeginsNumber(std::string_view text) {
+  if (text[0] == '-' || text[0] == '+') text.remove_prefix(1);
+  return !text.empty() && IsDigit(text[0]);
 }
 
-auto Revealer(logic::SymbolTable& symbols) {
-  return [&symbols](const logic::Term& leaf) {
-    if (!IsMarked(leaf)) return leaf;
-    std::string_view name = leaf.symbol().name();
-    name.remove_prefix(1);
-    if (name.starts_with(kMark)) return DistinctObject(name, symbols);
-    return NumberIn(name).value_or(leaf);
-  };
+std::size_t EndOfToken(std::string_view text) {
+  if (text[0] == '"' || text[0] == '\'') return EndOfQuoted(text);
+  if (BeginsNumber(text)) return EndOfNumber(text);
+  const auto* const end = std::ranges::find_if_not(text, IsOfWord);
+  return std::max<std::size_t>(1, static_cast<std::size_t>(end - text.begin()));
+}
+
+/// Text with each of its tokens replaced.
+template <typename Replace>
+std::string Map(std::string_view text, const Replace& replace) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t end = EndOfToken(text);
+    replace(text.substr(0, end), result);
+    text.remove_prefix(end);
+  }
+  return result;
+}
+
+bool IsMarked(std::string_view token) {
+  return token.size() > 2 && token[0] == '"' && token[1] == kMark;
 }
 
 }  // namespace
 
-logic::Term Disguise(const logic::Term& term, logic::SymbolTable& symbols) {
-  return Map(term, Hider(symbols));
+std::string Disguise(std::string_view text) {
+  return Map(text, [](std::string_view token, std::string& result) {
+    if (BeginsNumber(token)) {
+      fmt::format_to(std::back_inserter(result), "\"{}{}\"", kMark, token);
+    } else if (IsMarked(token)) {
+      fmt::format_to(std::back_inserter(result), "\"{}{}", kMark, token.substr(1));
+    } else {
+      result += token;
+    }
+  });
 }
 
-logic::Atom Disguise(const logic::Atom& atom, logic::SymbolTable& symbols) {
-  return MapAtom(atom, Hider(symbols));
+std::string Undisguise(std::string_view text) {
+  return Map(text, [](std::string_view token, std::string& result) {
+    if (!IsMarked(token)) {
+      result += token;
+    } else if (token[2] == kMark) {
+      fmt::format_to(std::back_inserter(result), "\"{}", token.substr(2));
+    } else {
+      result += token.substr(2, token.size() - 3);
+    }
+  });
 }
 
-logic::Term Undisguise(const logic::Term& term, logic::SymbolTable& symbols) {
-  return Map(term, Revealer(symbols));
-}
-
-logic::Atom Undisguise(const logic::Atom& atom, logic::SymbolTable& symbols) {
-  return MapAtom(atom, Revealer(symbols));
-}
-
-std::string Axiom(const logic::Clause& clause, logic::SymbolTable& symbols) {
-  logic::Clause hidden = clause;
-  for (logic::Literal& literal : hidden.literals) literal.atom = Disguise(literal.atom, symbols);
+std::string Axiom(const logic::Clause& clause) {
+  logic::Clause named = clause;
   // Names of variables are the reader's; numbered ones cannot clash.
-  for (std::size_t i = 0; i < hidden.variable_names.size(); ++i) {
-    hidden.variable_names[i] = fmt::format("X{}", i);
+  for (std::size_t i = 0; i < named.variable_names.size(); ++i) {
+    named.variable_names[i] = fmt::format("X{}", i);
   }
-  return fmt::format("cnf(c, axiom, ({})).\n", ToString(hidden));
+  return fmt::format("cnf(c, axiom, ({})).\n", Disguise(ToString(named)));
 }
 
-std::string Axiom(const logic::Literal& literal, logic::SymbolTable& symbols) {
-  const logic::Literal hidden{literal.positive, Disguise(literal.atom, symbols)};
-  return fmt::format("cnf(f, axiom, ({})).\n", ToString(hidden));
+std::string Axiom(const logic::Literal& literal) {
+  return fmt::format("cnf(f, axiom, ({})).\n", Disguise(ToString(literal)));
 }
 
 }  // namespace latchwork::eprover

@@ -3,23 +3,22 @@
 #define LATCHWORK_EPROVER_DISGUISE_H_
 
 #include <string>
+#include <string_view>
 
 #include "latchwork/logic/clause.h"
-#include "latchwork/logic/symbol.h"
 
 namespace latchwork::eprover {
 
 /// Numbers go to E as distinct objects, `"#1.5"`, which are unequal as numbers are and for which E
-/// has no theory of its own. Distinct objects that begin with `#` get another.
-logic::Term Disguise(const logic::Term& term, logic::SymbolTable& symbols);
-logic::Atom Disguise(const logic::Atom& atom, logic::SymbolTable& symbols);
-logic::Term Undisguise(const logic::Term& term, logic::SymbolTable& symbols);
-logic::Atom Undisguise(const logic::Atom& atom, logic::SymbolTable& symbols);
+/// has no theory of its own. Distinct objects that begin with `#` get another. All of it is done in
+/// TPTP text, as printed here and by E: no symbol is interned for a number that came by once.
+std::string Disguise(std::string_view text);
+std::string Undisguise(std::string_view text);
 
 /// `cnf(name, axiom, (...)).` and a new line.
-std::string Axiom(const logic::Clause& clause, logic::SymbolTable& symbols);
+std::string Axiom(const logic::Clause& clause);
 /// The same for a fact, or its denial.
-std::string Axiom(const logic::Literal& literal, logic::SymbolTable& symbols);
+std::string Axiom(const logic::Literal& literal);
 
 }  // namespace latchwork::eprover
 

@@ -140,7 +140,7 @@ logic::Diagnostics EproverReasoner::Compile() {
   axioms_.clear();
   has_denials_ = false;
   for (const logic::Clause& clause : clauses_) {
-    axioms_ += Axiom(clause, *symbols_);
+    axioms_ += Axiom(clause);
     has_denials_ = has_denials_ || IsDenial(clause);
   }
   return {};
@@ -173,9 +173,9 @@ void EproverReasoner::Collect(std::span<const sdk::Latch> latches, std::size_t w
   }
 }
 
-std::string EproverReasoner::AxiomsOf(std::span<const logic::Fact> facts) {
+std::string EproverReasoner::AxiomsOf(std::span<const logic::Fact> facts) const {
   std::string axioms = axioms_;
-  for (const logic::Fact& fact : facts) axioms += Axiom(logic::Literal{true, fact}, *symbols_);
+  for (const logic::Fact& fact : facts) axioms += Axiom(logic::Literal{true, fact});
   return axioms;
 }
 
@@ -253,7 +253,7 @@ bool EproverReasoner::Close(const Closings::Closing& closing, std::string& axiom
     const bool holds = std::ranges::any_of(
         proved, [&](const logic::Atom& pattern) { return Matches(pattern, instance); });
     decision.assumptions.push_back({instance, holds ? State::kRetracted : unproved});
-    if (!holds) axioms += Axiom(logic::Literal{false, instance}, *symbols_);
+    if (!holds) axioms += Axiom(logic::Literal{false, instance});
   }
   return true;
 }

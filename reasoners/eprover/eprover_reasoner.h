@@ -44,7 +44,7 @@ class EproverReasoner final : public sdk::Reasoner {
   logic::Diagnostics Change(const std::function<logic::Diagnostics(pttp::Theory&)>& change);
   bool IsUnchanged(std::span<const sdk::Latch> latches, const sdk::Budget& budget);
   void Collect(std::span<const sdk::Latch> latches, std::size_t without);
-  std::string AxiomsOf(std::span<const logic::Fact> facts);
+  std::string AxiomsOf(std::span<const logic::Fact> facts) const;
   Reply Ask(const std::string& axioms, const logic::Atom* pattern, std::size_t answers,
             sdk::Decision& decision);
   /// False: the decision is over, and says why.

@@ -23,12 +23,11 @@ void AddVariables(const logic::Term& term, std::set<logic::Variable>& variables)
 }
 
 /// `fof(q, question, ? [X0] : p(X0)).`; its variables in the order of an answer.
-std::string QuestionFor(const logic::Atom& pattern, std::vector<logic::Variable>& order,
-                        logic::SymbolTable& symbols) {
+std::string QuestionFor(const logic::Atom& pattern, std::vector<logic::Variable>& order) {
   std::set<logic::Variable> variables;
   for (const logic::Term& argument : pattern.arguments()) AddVariables(argument, variables);
   order.assign(variables.begin(), variables.end());
-  const std::string text = ToString(Disguise(pattern, symbols));
+  const std::string text = Disguise(ToString(pattern));
   if (order.empty()) return fmt::format("fof(q, conjecture, {}).\n", text);
   std::string list;
   for (const logic::Variable variable : order) {
@@ -58,11 +57,11 @@ std::optional<logic::Atom> InstanceOf(std::string_view tuple, const logic::Atom&
   if (!tuple.starts_with("[[") || !tuple.ends_with("]|_]")) return std::nullopt;
   tuple.remove_prefix(2);
   tuple.remove_suffix(4);
-  const auto read = logic::ReadTptpAtom(fmt::format("answer({})", tuple), "E", symbols);
+  const auto read = logic::ReadTptpAtom(fmt::format("answer({})", Undisguise(tuple)), "E", symbols);
   if (!read.atom || read.atom->arity() != order.size()) return std::nullopt;
   std::vector<logic::Term> arguments;
   for (const logic::Term& argument : pattern.arguments()) {
-    arguments.push_back(Undisguise(Substitute(argument, order, read.atom->arguments()), symbols));
+    arguments.push_back(Substitute(argument, order, read.atom->arguments()));
   }
   return logic::Atom(pattern.predicate(), arguments);
 }
@@ -147,12 +146,12 @@ Reply Run(const Question& question, std::size_t wanted, std::size_t asked,
   process::Limits outer{limits.seconds, limits.memory_mb};
   const std::chrono::duration<double> left = *limits.deadline - std::chrono::steady_clock::now();
   outer.wall_seconds = std::clamp(left.count(), 0.0, outer.wall_seconds);
-  static const std::atomic<bool> kNever = false;
+  static const std::atomic<bool> never = false;
   std::vector<std::string> arguments = ArgumentsFor(limits);
   arguments.insert(arguments.end(), {fmt::format("--answers={}", asked), "-"});
   const process::ChildResult child =
       process::RunChild(question.program, arguments, outer,
-                        limits.cancelled == nullptr ? kNever : *limits.cancelled, question.problem);
+                        limits.cancelled == nullptr ? never : *limits.cancelled, question.problem);
   Reply reply;
   is_cut_short = false;
   using ChildEnd = process::ChildResult::End;
@@ -180,7 +179,7 @@ Reply Ask(const std::filesystem::path& program, std::string_view axioms, const l
           std::size_t answers, const QuestionLimits& limits, logic::SymbolTable& symbols) {
   constexpr std::size_t kMostAsked = 4096;
   Question question{program, std::string(axioms), pattern, {}};
-  if (pattern != nullptr) question.problem += QuestionFor(*pattern, question.order, symbols);
+  if (pattern != nullptr) question.problem += QuestionFor(*pattern, question.order);
   QuestionLimits together = limits;
   using Clock = std::chrono::steady_clock;
   const auto own = Clock::now() + std::chrono::duration_cast<Clock::duration>(

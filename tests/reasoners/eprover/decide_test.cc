@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
 
 #include "core/process/spawn.h"
 #include "reasoners/eprover/eprover_reasoner.h"
-#include "tests/reasoners/pttp/agent_mind.h"
+#include "tests/reasoners/outside_program.h"
+#include "tests/temporary_folder.h"
 
 namespace latchwork::eprover {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::UnorderedElementsAre;
 using Answers = sdk::Goal::Answers;
 using State = sdk::Assumption::State;
@@ -22,28 +27,14 @@ using sdk::Limit;
 using sdk::Status;
 using Mind = pttp::MindOf<EproverReasoner>;
 
-class EproverTest : public ::testing::Test {
- protected:
-  void SetUp() override {
-    if (process::FindProgram("eprover").empty()) GTEST_SKIP() << "eprover is not installed";
-  }
+struct Setting {
+  using Reasoner = EproverReasoner;
+  static constexpr const char* kProgram = "eprover";
+  static constexpr const char* kPackage = "eprover";
 };
-
-TEST_F(EproverTest, AllAnswers_WithNumbersAndQuotedWords) {
-  Mind mind(R"(
-    fof(step, axiom, ![X,Y] : (edge(X,Y) => path(X,Y))).
-    fof(far, axiom, ![X,Y,Z] : ((edge(X,Y) & path(Y,Z)) => path(X,Z))).
-  )");
-  mind.Input("edge", 2);
-  mind.Goal("path(a,X)", Answers::kAll);
-  mind.Load();
-  mind.Latch(0, {"edge(a,'B 1')", "edge('B 1',-1.5)", "edge(-1.5,f(7))", "edge(f(7),a)"});
-  EXPECT_EQ(mind.Decide().status, Status::kProved);
-  EXPECT_THAT(mind.Conclusions(), UnorderedElementsAre("path(a, 'B 1')", "path(a, -1.5)",
-                                                       "path(a, f(7))", "path(a, a)"));
-  mind.Latch(0, {"edge(b,c)"});
-  EXPECT_EQ(mind.Decide().status, Status::kRefuted);
-}
+INSTANTIATE_TYPED_TEST_SUITE_P(Eprover, OutsideProgramTest, Setting);
+INSTANTIATE_TYPED_TEST_SUITE_P(Eprover, AbsentProgramTest, Setting);
+using EproverTest = OutsideProgramTest<Setting>;
 
 TEST_F(EproverTest, Disjunctions) {
   Mind mind(R"(
@@ -101,15 +92,35 @@ TEST_F(EproverTest, DefaultUnderAnEquation_IsClosed) {
   ASSERT_EQ(mind.decision.assumptions.size(), 1U);
 }
 
-TEST_F(EproverTest, OtherHeuristic_AnswersAlike) {
+/// A program in front of E that keeps what E is called with.
+std::string CommandFor(const std::string& heuristic) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path kept = folder.path() / "command";
+  const auto program =
+      folder.Write("eprover", fmt::format("#!/bin/sh\necho \"$*\" > '{}'\nexec '{}' \"$@\"\n",
+                                          kept.string(), process::FindProgram("eprover").string()));
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const PathGuard guard(folder.path().string());
   Mind mind("fof(a, axiom, ![X] : (in(X) => out(X))).");
   mind.Input("in", 1);
   mind.Goal("out(X)", Answers::kAll);
-  mind.Parameter("heuristic", "AutoSched0");
+  mind.Parameter("heuristic", heuristic);
   mind.Load();
   mind.Latch(0, {"in(a)", "in(b)"});
   EXPECT_EQ(mind.Decide().status, Status::kProved);
   EXPECT_THAT(mind.Conclusions(), UnorderedElementsAre("out(a)", "out(b)"));
+  std::string command;
+  std::ifstream stream(kept);
+  std::getline(stream, command);
+  return command;
+}
+
+TEST_F(EproverTest, HeuristicIsGivenToE) {
+  EXPECT_THAT(CommandFor("Auto"), AllOf(HasSubstr(" --satauto "), Not(HasSubstr(" -x"))));
+  for (const std::string heuristic : {"AutoSched0", "AutoSched3"}) {
+    EXPECT_THAT(CommandFor(heuristic),
+                AllOf(HasSubstr(" -x " + heuristic + " "), Not(HasSubstr("--satauto"))));
+  }
 }
 
 TEST_F(EproverTest, DefaultsByFactsAndByRules) {
@@ -164,34 +175,7 @@ TEST_F(EproverTest, WithoutEnd_IsALimit) {
   EXPECT_FALSE(mind.decision.conclusions.empty());
 }
 
-TEST_F(EproverTest, Cancellation_IsHeard) {
-  Mind mind("fof(a, axiom, p).");
-  mind.Goal("p");
-  mind.Load();
-  const std::atomic<bool> cancelled = true;
-  mind.budget.cancelled = &cancelled;
-  EXPECT_EQ(mind.Decide().limit, Limit::kCancelled);
-}
-
-TEST_F(EproverTest, ContradictionsAreReportedAndRefused) {
-  Mind mind("fof(both, axiom, ~ (hot & cold)). fof(a, axiom, warm => hot).");
-  mind.Input("warm", 0);
-  mind.Input("cold", 0);
-  mind.Goal("hot");
-  mind.Load();
-  mind.Latch(0, {"warm"});
-  mind.Latch(1, {});
-  std::vector<sdk::Refusal> refused;
-  const std::vector<logic::Fact> batch = {mind.Atom("warm"), mind.Atom("cold")};
-  mind.reasoner.Admit(mind.latches, 1, batch, mind.budget, refused);
-  ASSERT_EQ(refused.size(), 1U);
-  EXPECT_EQ(refused[0].index, 1U);
-  EXPECT_EQ(mind.Decide().status, Status::kProved);
-  mind.Latch(1, {"cold"});
-  EXPECT_EQ(mind.Decide().status, Status::kInconsistent);
-}
-
-TEST_F(EproverTest, TellAndRetract) {
+TEST_F(EproverTest, ToldWhatECannotTake_StaysAsItWas) {
   Mind mind("fof(a, axiom, p => q).");
   mind.Input("p", 0);
   mind.Goal("q");
@@ -203,17 +187,6 @@ TEST_F(EproverTest, TellAndRetract) {
   EXPECT_FALSE(mind.reasoner.Tell("fof(c, axiom, ![X] : ($less(X, 1) => q)).").empty());
   EXPECT_THAT(mind.reasoner.Retract("b"), IsEmpty());
   EXPECT_EQ(mind.Decide().status, Status::kRefuted);
-}
-
-TEST(EproverProgramTest, Absent_SaysWhatToInstall) {
-  const std::string path = std::getenv("PATH");
-  setenv("PATH", "/nowhere", 1);
-  Mind mind("fof(a, axiom, p).");
-  mind.Goal("p");
-  const auto diagnostics = mind.TryLoad();
-  setenv("PATH", path.c_str(), 1);
-  ASSERT_EQ(diagnostics.size(), 1U);
-  EXPECT_THAT(diagnostics[0].hint, HasSubstr("apt-get install"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -100,7 +101,9 @@ class MindOf {
  private:
   static std::string TestName() {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    return std::string(test->test_suite_name()) + "_" + test->name();
+    std::string name = std::string(test->test_suite_name()) + "_" + test->name();
+    std::ranges::replace(name, '/', '_');
+    return name;
   }
 
   std::filesystem::path file_;
