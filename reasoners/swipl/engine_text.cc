@@ -32,9 +32,10 @@ within(Calls, Goal) :-
 reset :- abolish_all_tables,
     trie_new(Closed), nb_setval(closed, Closed), trie_new(Rows), nb_setval(computed, Rows),
     trie_new(With), nb_setval(failed_closing, With), trie_new(Without),
-    nb_setval(failed_plain, Without), nb_setval(assumed, 0), nb_setval(bound, false),
-    nb_setval(undetermined, false), nb_setval(cut, false), nb_setval(cuts, 0),
-    b_setval(pending, 0), b_setval(resting, []), b_setval(level, none), b_setval(closing, true).
+    nb_setval(failed_plain, Without), nb_setval(assumed, 0), nb_setval(asked, []),
+    nb_setval(bound, false), nb_setval(undetermined, false), nb_setval(cut, false),
+    nb_setval(cuts, 0), b_setval(pending, 0), b_setval(resting, []), b_setval(level, none),
+    b_setval(closing, true).
 
 decide(Depth, Few) :- nb_setval(deepest, Depth), Few > 0, denial(J, D, Call), refuted(Depth, Few, D, Call), !,
     say(inconsistent(J)).
@@ -43,9 +44,12 @@ refuted(Depth, Few, D, Call) :-
     call_with_inference_limit(plainly(search(Depth, D, Call, true, End)), Few, R),
     in_full(R), End == accepted.
 % What a limit broke off left notes of goals and calls that nobody works at any more.
-in_full(inference_limit_exceeded) :- !, reset, fail.
+in_full(inference_limit_exceeded) :- !, reset, say(anew), fail.
 in_full(_).
 plainly(Goal) :- b_setval(closing, false), once(Goal), b_setval(closing, true).
+% Rows are computed once, for denials and for goals.
+with_closing(Goal) :-
+    b_getval(closing, Was), b_setval(closing, true), once(Goal), b_setval(closing, Was).
 decide_goal(Depth, G, All, Atom, D, Call) :-
     trie_new(Known), nb_setval(undetermined, false),
     search(Depth, D, Call, accept(G, All, Atom, Known), End),
@@ -150,10 +154,11 @@ attend(rows(M, _), N, Rest0, Rows, Rest) :- M \== N, !, attend(N, Rest0, Rows, R
 attend(ask(M, _, _, _, _), N, Rest0, Rows, Rest) :- M \== N, !, attend(N, Rest0, Rows, Rest).
 attend(rows(_, Rows), _, Rest, Rows, Rest).
 attend(ask(N, Depth, Values, D, Call), N, Rest0, Rows, Rest) :-
-    trie_new(Known), nb_setval(asked, Rest0),
-    search(Depth, D, Call, answer(Values, Known), End),
+    trie_new(Known), nb_getval(asked, Outer), nb_setval(asked, Rest0),
+    with_closing(search(Depth, D, Call, answer(Values, Known), End)),
     ( End == depth -> nb_setval(bound, true) ; true ),
-    nb_getval(asked, Rest1), say(answered(End)), flush_output, attend(N, Rest1, Rows, Rest).
+    nb_getval(asked, Rest1), nb_setval(asked, Outer),
+    say(answered(End)), flush_output, attend(N, Rest1, Rows, Rest).
 answer(Values, Known) :- trie_insert(Known, Values, 1),
     ( ground(Values) -> say(answer(Values)), b_getval(resting, R), nb_getval(asked, A),
       union(R, A, All), nb_setval(asked, All)

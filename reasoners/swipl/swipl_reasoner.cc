@@ -234,6 +234,7 @@ class SwiplReasoner::DecisionListener final : public Listener {
     const auto& arguments = said.arguments;
     if (said.name == "concluded" && arguments.size() == 4) Conclude(arguments);
     if (said.name == "assumed" && arguments.size() == 2) Assume(arguments);
+    if (said.name == "anew") decision_.assumptions.clear();
     if (said.name == "end" && arguments.size() == 2) EndGoal(arguments[1].name);
     if (said.name == "done" && arguments.size() == 3) Finish(arguments);
     if (said.name == "everything" && arguments.size() == 1) {

@@ -2,12 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
+#include <string>
+#include <string_view>
 
-#include "core/process/spawn.h"
-#include "reasoners/swipl/swipl_reasoner.h"
-#include "tests/reasoners/pttp/agent_mind.h"
+#include "tests/reasoners/swipl/setting.h"
 
 namespace latchwork::swipl {
 namespace {
@@ -20,29 +18,10 @@ using Answers = sdk::Goal::Answers;
 using State = sdk::Assumption::State;
 using sdk::Limit;
 using sdk::Status;
-using Mind = pttp::MindOf<SwiplReasoner>;
 
-class SwiplTest : public ::testing::Test {
- protected:
-  void SetUp() override {
-    if (process::FindProgram("swipl").empty()) GTEST_SKIP() << "swi-prolog-nox is not installed";
-  }
-};
-
-TEST_F(SwiplTest, HornRules_AllAnswers) {
-  Mind mind(R"(
-    fof(step, axiom, ![X,Y] : (edge(X,Y) => path(X,Y))).
-    fof(far, axiom, ![X,Y,Z] : ((edge(X,Y) & path(Y,Z)) => path(X,Z))).
-  )");
-  mind.Input("edge", 2);
-  mind.Goal("path(a,X)", Answers::kAll);
-  mind.Load();
-  mind.Latch(0, {"edge(a,b)", "edge(b,c)", "edge(c,a)"});
-  EXPECT_EQ(mind.Decide().status, Status::kProved);
-  EXPECT_THAT(mind.Conclusions(), UnorderedElementsAre("path(a, b)", "path(a, c)", "path(a, a)"));
-  mind.Latch(0, {"edge(b,c)"});
-  EXPECT_EQ(mind.Decide().status, Status::kRefuted);
-}
+INSTANTIATE_TYPED_TEST_SUITE_P(Swipl, OutsideProgramTest, Setting);
+INSTANTIATE_TYPED_TEST_SUITE_P(Swipl, AbsentProgramTest, Setting);
+using SwiplTest = OutsideProgramTest<Setting>;
 
 TEST_F(SwiplTest, CasesAreReduced) {
   Mind mind(R"(
@@ -164,15 +143,6 @@ TEST_F(SwiplTest, WallTime_EndsTheProgram_WhichIsStartedAgain) {
   EXPECT_THAT(mind.Conclusions(), ElementsAre("q"));
 }
 
-TEST_F(SwiplTest, Cancellation_IsHeard) {
-  Mind mind(kCounting);
-  mind.Goal("n(c)");
-  mind.Load();
-  const std::atomic<bool> cancelled = true;
-  mind.budget.cancelled = &cancelled;
-  EXPECT_EQ(mind.Decide().limit, Limit::kCancelled);
-}
-
 TEST_F(SwiplTest, Contradiction_IsReported) {
   Mind mind("fof(both, axiom, ~ (hot & cold)). fof(a, axiom, warm => hot).");
   mind.Input("warm", 0);
@@ -227,133 +197,6 @@ TEST_F(SwiplTest, Admit_ForgetsWhatFailedBeforeTheLastFact) {
   mind.reasoner.Admit(mind.latches, 0, batch, mind.budget, refused);
   ASSERT_EQ(refused.size(), 1U);
   EXPECT_EQ(refused[0].index, 2U);
-}
-
-TEST_F(SwiplTest, TellAndRetract) {
-  Mind mind("fof(a, axiom, p => q).");
-  mind.Input("p", 0);
-  mind.Goal("q");
-  mind.Load();
-  mind.Latch(0, {});
-  EXPECT_EQ(mind.Decide().status, Status::kRefuted);
-  EXPECT_THAT(mind.reasoner.Tell("fof(b, axiom, q)."), IsEmpty());
-  EXPECT_EQ(mind.Decide().status, Status::kProved);
-  EXPECT_THAT(mind.reasoner.Retract("b"), IsEmpty());
-  EXPECT_EQ(mind.Decide().status, Status::kRefuted);
-}
-
-/// total(Sum, Least): over the provable sizes that are at least as large.
-class Total final : public sdk::Attachment {
- public:
-  explicit Total(logic::SymbolTable& symbols) : size_(symbols.Intern("size")) {}
-  const Signature& signature() const override {
-    static const Signature signature{"total",
-                                     {{{"least", sdk::ArgumentType::kInteger, ""}, Mode::kIn},
-                                      {{"sum", sdk::ArgumentType::kInteger, ""}, Mode::kOut}},
-                                     ""};
-    return signature;
-  }
-  void Call(std::span<const logic::Term> inputs, sdk::AttachmentContext& context,
-            sdk::AnswerSink& outputs) override {
-    if (inputs[0].integer() < 0) throw std::runtime_error("negative");
-    struct Sink final : sdk::AnswerSink {
-      void Answer(std::span<const logic::Term> terms) override {
-        if (terms.size() == 2 && terms[1].integer() >= least) sum += terms[1].integer();
-      }
-      std::int64_t least = 0;
-      std::int64_t sum = 0;
-    } sink;
-    sink.least = inputs[0].integer();
-    const std::vector<logic::Literal> query = {
-        {true, {size_, {logic::Term::Var(0), logic::Term::Var(1)}}}};
-    context.ForEachProvable(query, 2, sink);
-    const std::array<logic::Term, 1> answer = {logic::Term::Integer(sink.sum)};
-    outputs.Answer(answer);
-  }
-
- private:
-  logic::Symbol size_;
-};
-
-void PrepareTotal(Mind& mind) {
-  mind.body.attachments.push_back(std::make_shared<Total>(mind.symbols));
-  mind.Input("box", 2);
-  mind.Input("least", 1);
-  mind.Minimize("bad", 1);
-  mind.Goal("sum(S)");
-  mind.Load();
-}
-constexpr std::string_view kBoxes = R"(
-  fof(size, axiom, ![B,N] : ((box(B,N) & ~ bad(B)) => size(B,N))).
-  fof(sum, axiom, ![L,S] : ((total(L,S) & least(L)) => sum(S))).
-)";
-
-TEST_F(SwiplTest, AttachmentsAskProlog) {
-  Mind mind(kBoxes);
-  PrepareTotal(mind);
-  mind.Latch(0, {"box(a,1)", "box(b,20)", "box(c,300)", "least(2)"});
-  EXPECT_EQ(mind.Decide().status, Status::kProved);
-  EXPECT_THAT(mind.Conclusions(), ElementsAre("sum(320)"));
-  EXPECT_EQ(mind.decision.statistics.attachment_calls, 1U);
-  EXPECT_EQ(mind.decision.conclusions[0].assumptions.size(), 3U);
-}
-
-/// twice(X, Y).
-class Twice final : public sdk::Attachment {
- public:
-  const Signature& signature() const override {
-    static const Signature signature{"twice",
-                                     {{{"of", sdk::ArgumentType::kInteger, ""}, Mode::kIn},
-                                      {{"is", sdk::ArgumentType::kInteger, ""}, Mode::kOut}},
-                                     ""};
-    return signature;
-  }
-  void Call(std::span<const logic::Term> inputs, sdk::AttachmentContext& /*context*/,
-            sdk::AnswerSink& outputs) override {
-    const std::array<logic::Term, 1> answer = {logic::Term::Integer(2 * inputs[0].integer())};
-    outputs.Answer(answer);
-  }
-};
-
-TEST_F(SwiplTest, LimitWithinACall_LeavesNoReplyForTheNext) {
-  // Some of these limits fall between a call and the reading of its reply.
-  for (int limit = 1; limit <= 20; ++limit) {
-    Mind mind(R"(
-      fof(never, axiom, ![X,Y] : ~ (in(X) & twice(X, Y) & bad(Y))).
-      fof(out, axiom, ![X,Y] : ((from(X) & twice(X, Y)) => out(Y))).
-    )");
-    mind.body.attachments.push_back(std::make_shared<Twice>());
-    mind.Input("in", 1);
-    mind.Input("bad", 1);
-    mind.Input("from", 1);
-    mind.Goal("out(Y)", Answers::kAll);
-    mind.Parameter("consistency_inferences", std::to_string(limit));
-    mind.Load();
-    mind.Latch(0, {"in(1)", "in(2)", "in(3)", "from(2)", "from(40)"});
-    EXPECT_EQ(mind.Decide().status, Status::kProved);
-    EXPECT_THAT(mind.Conclusions(), UnorderedElementsAre("out(4)", "out(80)")) << limit;
-  }
-}
-
-TEST_F(SwiplTest, AttachmentThatThrows_LeavesTheReasonerWhole) {
-  Mind mind(kBoxes);
-  PrepareTotal(mind);
-  mind.Latch(0, {"least(-1)"});
-  EXPECT_THROW(mind.Decide(), std::runtime_error);
-  mind.Latch(0, {"box(a,5)", "least(2)"});
-  EXPECT_EQ(mind.Decide().status, Status::kProved);
-  EXPECT_THAT(mind.Conclusions(), ElementsAre("sum(5)"));
-}
-
-TEST(SwiplProgramTest, Absent_SaysWhatToInstall) {
-  const std::string path = std::getenv("PATH");
-  setenv("PATH", "/nowhere", 1);
-  Mind mind("fof(a, axiom, p).");
-  mind.Goal("p");
-  const auto diagnostics = mind.TryLoad();
-  setenv("PATH", path.c_str(), 1);
-  ASSERT_EQ(diagnostics.size(), 1U);
-  EXPECT_THAT(diagnostics[0].hint, HasSubstr("swi-prolog-nox"));
 }
 
 }  // namespace
