@@ -41,6 +41,7 @@ bool ExactDecider::Decide(std::span<const sdk::Latch> latches, const sdk::Budget
   for (std::size_t i = 0; i < latches.size(); ++i) ports_[i] = latches[i].port;
   const Evaluator::End end = evaluator_.Run(body_.facts, latches, budget);
   searched_ = false;
+  has_model_ = end == Evaluator::End::kModel;
   if (end == Evaluator::End::kRefused) {
     reason_ = evaluator_.refusal();
     return false;
@@ -49,19 +50,19 @@ bool ExactDecider::Decide(std::span<const sdk::Latch> latches, const sdk::Budget
   if (end == Evaluator::End::kOpen || end == Evaluator::End::kInconsistent) {
     return Search(latches, budget, decision);
   }
-  Fill(end, decision);
+  Fill(decision);
   return true;
 }
 
-void ExactDecider::Fill(Evaluator::End end, sdk::Decision& decision) {
-  decision.limit = evaluator_.spending().limit();
+void ExactDecider::Fill(sdk::Decision& decision) {
   decision.message.clear();
   decision.statistics = {};
   decision.undecided.clear();
   decision.states.clear();
   decision.status = sdk::Status::kUnknown;
   conclusions_.clear();
-  if (end == Evaluator::End::kModel) AnswerGoals(decision);
+  if (has_model_) AnswerGoals(decision);
+  decision.limit = evaluator_.spending().limit();
   decision.conclusions.resize(conclusions_.size());
   ListAssumptions(decision);
   decision.statistics.inferences = evaluator_.spending().inferences();
@@ -82,6 +83,7 @@ void ExactDecider::AnswerGoals(sdk::Decision& decision) {
       decision.statistics.depth = std::max(decision.statistics.depth, answers.info(row).height);
     }
   }
+  if (evaluator_.spending().is_spent()) return;
   decision.status = conclusions_.empty() ? sdk::Status::kRefuted : sdk::Status::kProved;
 }
 
@@ -138,23 +140,39 @@ std::optional<sdk::Explanation> ExactDecider::ExplainAssumption(std::size_t assu
   sdk::Explanation explanation{ToString(atom), asked.contrary != FactTable::kNone, {}, {}};
   if (explanation.holds) {
     explanation.derivation = DeriveFact(evaluator_, {asked.relation, asked.contrary}, ports_);
-  } else {
+  } else if (has_model_) {
     explanation.misses = NearMissesOf(atom, evaluator_, symbols_);
+  } else {
+    return std::nullopt;
   }
   return explanation;
+}
+
+/// A conclusion if there is one, or what else holds: goals may want no more than their first.
+std::optional<FactRef> ExactDecider::FindInstance(const logic::Atom& pattern) const {
+  for (const FactRef fact : conclusions_) {
+    if (Matches(pattern, evaluator_.FactOf(fact))) return fact;
+  }
+  const std::size_t relation = program_.relations().Find(NameOf(pattern));
+  if (relation == kNoIndex) return std::nullopt;
+  for (std::uint32_t row = 0; row < evaluator_.table(relation).size(); ++row) {
+    const FactRef fact{static_cast<std::uint32_t>(relation), row};
+    if (Matches(pattern, evaluator_.FactOf(fact))) return fact;
+  }
+  return std::nullopt;
 }
 
 std::optional<sdk::Explanation> ExactDecider::WhyNot(const sdk::Decision& decision,
                                                      const logic::Atom& pattern) const {
   if (searched_) return search_.WhyNot(decision, pattern);
-  sdk::Explanation explanation{ToString(pattern), false, {}, {}};
-  for (std::size_t i = 0; i < conclusions_.size() && !explanation.holds; ++i) {
-    const logic::Fact fact = evaluator_.FactOf(conclusions_[i]);
-    if (!Matches(pattern, fact)) continue;
-    explanation.holds = true;
-    explanation.derivation = DeriveFact(evaluator_, conclusions_[i], ports_);
+  if (!has_model_) return std::nullopt;
+  const auto instance = FindInstance(pattern);
+  sdk::Explanation explanation{ToString(pattern), instance.has_value(), {}, {}};
+  if (instance) {
+    explanation.derivation = DeriveFact(evaluator_, *instance, ports_);
+  } else {
+    explanation.misses = NearMissesOf(pattern, evaluator_, symbols_);
   }
-  if (!explanation.holds) explanation.misses = NearMissesOf(pattern, evaluator_, symbols_);
   return explanation;
 }
 

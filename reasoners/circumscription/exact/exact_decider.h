@@ -45,10 +45,11 @@ class ExactDecider {
  private:
   bool Search(std::span<const sdk::Latch> latches, const sdk::Budget& budget,
               sdk::Decision& decision);
-  void Fill(Evaluator::End end, sdk::Decision& decision);
+  void Fill(sdk::Decision& decision);
   void AnswerGoals(sdk::Decision& decision);
   void ListAssumptions(sdk::Decision& decision) const;
   void ListConclusion(std::size_t goal, std::uint32_t row, sdk::Conclusion& conclusion);
+  std::optional<FactRef> FindInstance(const logic::Atom& pattern) const;
   void Collect(const FactInfo& info, std::vector<std::size_t>& assumptions);
 
   const sdk::Body& body_;
@@ -59,6 +60,7 @@ class ExactDecider {
   SearchDecider search_;
   bool must_search_;                ///< No certificate is sought.
   bool searched_ = false;           ///< For the last decision.
+  bool has_model_ = false;          ///< Without a search: all that holds was found.
   std::vector<std::string> ports_;  ///< Of the latches of the last decision.
   std::vector<FactRef> open_;
   std::vector<FactRef> conclusions_;  ///< The answers behind the conclusions.

@@ -128,7 +128,8 @@ void SearchDecider::Answer(sdk::Decision& decision) {
   if (!is_brave_) ListGrounds(decision);
   ListStates(decision);
   if (is_unknown_) {
-    decision.limit = sdk::Limit::kInferences;
+    const sdk::Limit limit = evaluator_.spending().limit();
+    decision.limit = limit == sdk::Limit::kNone ? sdk::Limit::kInferences : limit;
   } else if (decision.undecided.empty()) {
     decision.status = decision.conclusions.empty() ? sdk::Status::kRefuted : sdk::Status::kProved;
   }
@@ -148,6 +149,7 @@ SearchDecider::Standing SearchDecider::StandingOf(Literal literal) {
 
 void SearchDecider::AnswerGoal(std::size_t goal, sdk::Decision& decision) {
   evaluator_.Answer(goals_[goal].rule);
+  is_unknown_ = evaluator_.spending().is_spent();
   const FactTable& answers = evaluator_.table(goals_[goal].answers);
   const bool first_only = body_.goals[goal].answers == sdk::Goal::Answers::kFirst;
   bool found = false;

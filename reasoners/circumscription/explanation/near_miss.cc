@@ -2,7 +2,6 @@
 #include "reasoners/circumscription/explanation/near_miss.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 
@@ -26,48 +25,79 @@ class Attempt {
         arithmetic_(arithmetic),
         values_(clause_.variable_names.size()) {}
 
-  /// Nothing: the clause does not conclude anything like `target`.
+  /// Nothing: the clause does not conclude anything like `target`, or its premises all hold.
   std::optional<sdk::NearMiss> Follow(const Head& concluded, const logic::Atom& target) {
     const Literal& head = clause_.literals[concluded.literal];
     if (NameOf(head.atom) != NameOf(target)) return std::nullopt;
+    head_ = &head.atom;
+    target_ = Apart(target);
     for (std::size_t i = 0; i < target.arity(); ++i) {
-      if (!MatchHead(head.atom.argument(i), target.argument(i))) return std::nullopt;
+      if (!Unify(head.atom.argument(i), target_.argument(i))) return std::nullopt;
     }
     for (const Step& step : rule_.steps) {
       if (step.literal != kNoIndex) steps_.push_back(&step);
     }
     miss_ = {clause_.name, clause_.place, 0, steps_.size(), {}};
-    Visit(0);
+    if (Visit(0) && visits_ <= kMaxVisits) return std::nullopt;
     return miss_;
   }
 
  private:
-  bool MatchHead(const Term& pattern, const Term& target) {
-    if (target.is_variable() || IsComputed(pattern)) return true;
-    return Match(pattern, target);
+  /// The target with variables that are none of the clause's.
+  logic::Atom Apart(const logic::Atom& target) {
+    std::vector<Term> arguments;
+    for (const Term& argument : target.arguments()) arguments.push_back(Apart(argument));
+    return {target.predicate(), arguments};
   }
 
-  bool Match(const Term& pattern, const Term& value) {
-    if (pattern.is_variable()) {
-      std::optional<Term>& known = values_[pattern.variable()];
-      if (known) return *known == value;
-      known = value;
-      return true;
+  Term Apart(const Term& term) {
+    if (term.is_variable()) {
+      const auto variable =
+          static_cast<logic::Variable>(clause_.variable_names.size() + term.variable());
+      values_.resize(std::max<std::size_t>(values_.size(), variable + 1));
+      return Term::Var(variable);
     }
-    if (IsComputed(pattern)) {
-      const Term computed = Instance(pattern);
-      return !computed.is_ground() || computed == value;
-    }
-    const auto arguments = pattern.arguments();
-    if (arguments.empty()) return pattern == value;
-    if (value.kind() != Term::Kind::kCompound || value.symbol() != pattern.symbol() ||
-        value.arguments().size() != arguments.size()) {
+    if (term.kind() != Term::Kind::kCompound) return term;
+    std::vector<Term> arguments;
+    for (const Term& argument : term.arguments()) arguments.push_back(Apart(argument));
+    return Term::Compound(term.symbol(), std::move(arguments));
+  }
+
+  Term Walk(Term term) const {
+    while (term.is_variable() && values_[term.variable()]) term = *values_[term.variable()];
+    return term;
+  }
+
+  /// What is computed is equal to anything until it can be computed.
+  bool Unify(const Term& one, const Term& other) {
+    Term a = Walk(one);
+    Term b = Walk(other);
+    if (IsComputed(a)) a = Instance(a);
+    if (IsComputed(b)) b = Instance(b);
+    if (IsComputed(a) || IsComputed(b) || a == b) return true;
+    if (b.is_variable()) return Bind(b.variable(), a);
+    if (a.is_variable()) return Bind(a.variable(), b);
+    const auto parts = a.arguments();
+    if (parts.empty() || parts.size() != b.arguments().size() || a.symbol() != b.symbol()) {
       return false;
     }
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-      if (!Match(arguments[i], value.arguments()[i])) return false;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (!Unify(parts[i], b.arguments()[i])) return false;
     }
     return true;
+  }
+
+  bool Bind(logic::Variable variable, const Term& term) {
+    if (Occurs(variable, term)) return false;
+    values_[variable] = term;
+    return true;
+  }
+
+  bool Occurs(logic::Variable variable, const Term& term) const {
+    const Term walked = Walk(term);
+    if (walked.is_variable()) return walked.variable() == variable;
+    return std::ranges::any_of(walked.arguments(),
+                               [&](const Term& part) { return Occurs(variable, part); });
   }
 
   bool IsComputed(const Term& term) const {
@@ -76,11 +106,11 @@ class Attempt {
   }
 
   Term Instance(const Term& term) const {
-    if (term.is_variable()) return values_[term.variable()].value_or(term);
-    if (term.kind() != Term::Kind::kCompound) return term;
+    const Term walked = Walk(term);
+    if (walked.kind() != Term::Kind::kCompound) return walked;
     std::vector<Term> arguments;
-    for (const Term& argument : term.arguments()) arguments.push_back(Instance(argument));
-    Term instance = Term::Compound(term.symbol(), std::move(arguments));
+    for (const Term& argument : walked.arguments()) arguments.push_back(Instance(argument));
+    Term instance = Term::Compound(walked.symbol(), std::move(arguments));
     if (!instance.is_ground()) return instance;
     return arithmetic_.Normalize(instance).value_or(instance);
   }
@@ -93,7 +123,8 @@ class Attempt {
 
   /// Whether all premises from the given one on can be met.
   bool Visit(std::size_t next) {
-    if (next == steps_.size() || ++visits_ > kMaxVisits) return true;
+    if (++visits_ > kMaxVisits) return true;
+    if (next == steps_.size()) return ConcludesTarget();
     const Step& step = *steps_[next];
     const Literal& literal = clause_.literals[step.literal];
     Note(next, literal);
@@ -106,6 +137,14 @@ class Attempt {
     return false;
   }
 
+  /// Arguments of the head that are computed are known only now.
+  bool ConcludesTarget() {
+    for (std::size_t i = 0; i < target_.arity(); ++i) {
+      if (!Unify(head_->argument(i), target_.argument(i))) return false;
+    }
+    return true;
+  }
+
   bool VisitFacts(std::size_t next, const Step& step, const Literal& literal) {
     const std::vector<std::optional<Term>> before = values_;
     const std::uint32_t rows = evaluator_.table(step.relation).size();
@@ -113,7 +152,7 @@ class Attempt {
       const logic::Fact fact = evaluator_.FactOf({static_cast<std::uint32_t>(step.relation), row});
       bool matches = true;
       for (std::size_t i = 0; i < fact.arity() && matches; ++i) {
-        matches = Match(literal.atom.argument(i), fact.argument(i));
+        matches = Unify(literal.atom.argument(i), fact.argument(i));
       }
       if (matches && Visit(next + 1)) return true;
       values_ = before;
@@ -126,8 +165,7 @@ class Attempt {
     if (step.kind == Step::Kind::kAbsent) return !IsFact(step.relation, atom);
     if (step.kind == Step::Kind::kEqual) {
       if (step.negated) return !(atom.argument(0) == atom.argument(1));
-      return atom.argument(1).is_ground() ? Match(literal.atom.argument(0), atom.argument(1))
-                                          : Match(literal.atom.argument(1), atom.argument(0));
+      return Unify(atom.argument(0), atom.argument(1));
     }
     const auto holds = logic::Arithmetic::Evaluate(step.test, atom.arguments());
     return holds && *holds != step.negated;
@@ -153,7 +191,9 @@ class Attempt {
   const logic::Clause& clause_;
   const Evaluator& evaluator_;
   const logic::Arithmetic& arithmetic_;
-  std::vector<std::optional<Term>> values_;
+  const logic::Atom* head_ = nullptr;
+  logic::Atom target_;
+  std::vector<std::optional<Term>> values_;  ///< Of the clause's variables, then the target's.
   std::vector<const Step*> steps_;
   sdk::NearMiss miss_;
   std::size_t visits_ = 0;

@@ -12,8 +12,8 @@
 namespace latchwork::circumscription {
 
 /// Why nothing concludes `target` in the model of the last evaluation: for each clause that might,
-/// the farthest it gets; the nearest one first. Variables of `target` stand for anything. For
-/// reports: every way through the premises is tried, up to a limit.
+/// the farthest it gets; the nearest one first. Variables of `target` stand for anything, a
+/// repeated one for the same. For reports: every way through the premises is tried, up to a limit.
 std::vector<sdk::NearMiss> NearMissesOf(const logic::Atom& target, const Evaluator& evaluator,
                                         logic::SymbolTable& symbols);
 

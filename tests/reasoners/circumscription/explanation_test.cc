@@ -223,6 +223,71 @@ TEST_F(PatternTest, WorldsAreShownForItsInstancesOnly) {
   EXPECT_EQ(TextOf("push(up, X)"), "nothing concludes push(up, X0), nor could\n");
 }
 
+TEST_F(PatternTest, RepeatedVariablesAreWhatClausesLack) {
+  for (const std::vector<std::string>& facts : {std::vector<std::string>{}, {"move(on)"}}) {
+    DecideWith(facts);
+    EXPECT_EQ(TextOf("near(X, X)"),
+              "nothing concludes near(X0, X0):\n"
+              "  'near' has 0 of 1 premises and lacks seen(Y, Y)\n");
+    EXPECT_EQ(TextOf("near(f(X, Y), Y)"),
+              "nothing concludes near(f(X0, X1), X1):\n"
+              "  'near' has 0 of 1 premises and lacks seen(f(X2, Y), Y)\n");
+  }
+}
+
+TEST(PatternsOfOneClauseTest, WhatItCannotConcludeIsNoMiss) {
+  CircumscribingMind mind(
+      "fof(pair, axiom, ! [X] : (in(X) => link(X, f(X)))).\n"
+      "fof(sum, axiom, ! [X] : (in(X) => link(X, $sum(X, 1)))).\n"
+      "fof(same, axiom, ! [X, Y] : ((in(X) & in(Y)) => link(X, Y))).\n");
+  mind.Input("in", 1);
+  mind.Goal("link(X, Y)");
+  mind.Parameter("mode", "exact");
+  mind.Load();
+  mind.Latch(0, {"in(1)", "in(5)"});
+  mind.Decide();
+  EXPECT_EQ(ToText(*mind.reasoner.WhyNot(mind.Atom("link(X, g(X))"))),
+            "nothing concludes link(X0, g(X0)):\n"
+            "  'sum' has 0 of 1 premises and lacks in(X)\n"
+            "  'same' has 1 of 2 premises and lacks in(g(1))\n");
+  EXPECT_EQ(ToText(*mind.reasoner.WhyNot(mind.Atom("link(f(X), X)"))),
+            "nothing concludes link(f(X0), X0):\n"
+            "  'sum' has 0 of 1 premises and lacks in(f(X1))\n"
+            "  'same' has 0 of 2 premises and lacks in(f(Y))\n");
+  // Goals want their first instance only; what else holds is said to.
+  ASSERT_EQ(mind.decision.conclusions.size(), 1U);
+  EXPECT_TRUE(mind.reasoner.WhyNot(mind.Atom("link(5, 1)"))->holds);
+  EXPECT_TRUE(mind.reasoner.WhyNot(mind.Atom("link(5, 6)"))->holds);
+}
+
+TEST(SpentExplanationTest, NoBudgetMakesAnAnswerOfWhatItCutShort) {
+  for (const char* entailment : {"cautious", "brave"}) {
+    CircumscribingMind mind(
+        "fof(step, axiom, ! [X, Y] : (edge(X, Y) => path(X, Y))).\n"
+        "fof(far, axiom, ! [X, Y, Z] : ((edge(X, Y) & path(Y, Z)) => path(X, Z))).\n");
+    mind.Input("edge", 2);
+    mind.Goal("path(X, c)", sdk::Goal::Answers::kAll);
+    mind.Goal("path(d, X)", sdk::Goal::Answers::kAll);
+    mind.Parameter("mode", "exact");
+    mind.Parameter("entailment", entailment);
+    mind.Parameter("cache_decisions", "false");
+    mind.Load();
+    mind.Latch(0, {"edge(a, b)", "edge(b, c)", "edge(b, d)", "edge(d, a)"});
+    bool is_decided = false;
+    for (mind.budget.inferences = 1; mind.budget.inferences < 1000 && !is_decided;
+         ++mind.budget.inferences) {
+      is_decided = mind.Decide().status != sdk::Status::kUnknown;
+      if (is_decided) continue;
+      EXPECT_EQ(mind.decision.limit, sdk::Limit::kInferences);
+      const auto explanation = mind.reasoner.WhyNot(mind.Atom("path(d, d)"));
+      EXPECT_TRUE(!explanation || explanation->holds) << mind.budget.inferences;
+    }
+    ASSERT_TRUE(is_decided);
+    EXPECT_EQ(mind.decision.status, sdk::Status::kProved);
+    EXPECT_EQ(mind.decision.conclusions.size(), 7U) << entailment;
+  }
+}
+
 TEST(SpentExplanationTest, NothingIsExplainedWhereTheBudgetRanOut) {
   CircumscribingMind mind("fof(some, axiom, ! [M] : (move(M) => (push(left) | push(right)))).\n");
   mind.Input("move", 1);
