@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/latchwork/command.h"
@@ -39,16 +40,14 @@ class Interview : public schedule::RunObserver {
   Interview(const ExplainOptions& options, const schedule::Agent& agent,
             std::optional<logic::Atom> why_not)
       : options_(options), why_not_(std::move(why_not)) {
-    for (std::size_t i = 0; i < agent.layers.size(); ++i) {
-      names_.push_back(agent.description.layers[i].name);
-      reasoners_.push_back(agent.layers[i].reasoner);
-    }
+    layers_ = agent.description.layers;
+    for (const auto& layer : agent.layers) reasoners_.push_back(layer.reasoner);
   }
 
   bool OnTick(const schedule::TickRecord& record) override {
     if (record.tick < options_.tick) return true;
     for (const schedule::DecisionRecord& each : record.decisions) {
-      if (options_.layer.empty() || names_[each.layer] == options_.layer) Ask(each);
+      if (options_.layer.empty() || layers_[each.layer].name == options_.layer) Ask(each);
     }
     return false;
   }
@@ -59,30 +58,59 @@ class Interview : public schedule::RunObserver {
   void Ask(const schedule::DecisionRecord& record) {
     const sdk::Decision& decision = *record.decision;
     sdk::Reasoner& reasoner = *reasoners_[record.layer];
-    Say(fmt::format("layer {}: {}{}{}\n", names_[record.layer], sdk::Name(decision.status),
+    Say(fmt::format("layer {}: {}{}{}\n", layers_[record.layer].name, sdk::Name(decision.status),
                     decision.message.empty() ? "" : ", ", decision.message));
+    lacks_reasons_ = false;
     for (std::size_t i = 0; i < decision.conclusions.size(); ++i) {
       sdk::Explanation explanation{logic::ToString(decision.conclusions[i].fact), true, {}, {}};
       explanation.derivation = reasoner.Explain(i);
-      Say(explanation, record.layer, "conclusion");
+      const bool is_bare = explanation.derivation.steps.empty();
+      lacks_reasons_ = lacks_reasons_ || is_bare;
+      if (is_bare && !options_.json) {
+        Say(fmt::format("conclusion: {}, whose derivation is not kept\n", explanation.subject));
+      } else {
+        Say(explanation, record.layer, "conclusion");
+      }
     }
     for (std::size_t i = 0; i < decision.assumptions.size(); ++i) {
-      const auto explanation = reasoner.ExplainAssumption(i);
-      const sdk::Assumption& assumption = decision.assumptions[i];
-      Say(explanation.value_or(
-              sdk::Explanation{logic::ToString(assumption.atom),
-                               assumption.state == sdk::Assumption::State::kRetracted,
-                               {},
-                               {}}),
-          record.layer, fmt::format("assumption, {}", sdk::Name(assumption.state)));
+      SayWhy(decision.assumptions[i], reasoner.ExplainAssumption(i), record.layer);
     }
-    if (!why_not_) return;
-    if (const auto explanation = reasoner.WhyNot(*why_not_)) {
-      Say(*explanation, record.layer, "why not");
-    } else {
-      Say(fmt::format("layer {}: its reasoner keeps no reasons for what it does not conclude\n",
-                      names_[record.layer]));
+    if (why_not_) {
+      const auto explanation = reasoner.WhyNot(*why_not_);
+      lacks_reasons_ = lacks_reasons_ || !explanation;
+      if (explanation) Say(*explanation, record.layer, "why not");
     }
+    const bool is_decided =
+        decision.status != sdk::Status::kInconsistent && decision.status != sdk::Status::kFailed;
+    if (lacks_reasons_ && is_decided) SayWhoKeepsReasons(layers_[record.layer]);
+  }
+
+  void SayWhy(const sdk::Assumption& assumption, const std::optional<sdk::Explanation>& explanation,
+              std::size_t layer) {
+    const std::string what = fmt::format("assumption, {}", sdk::Name(assumption.state));
+    if (explanation) return Say(*explanation, layer, what);
+    lacks_reasons_ = true;
+    const std::string atom = logic::ToString(assumption.atom);
+    const bool holds = assumption.state == sdk::Assumption::State::kRetracted;
+    if (options_.json) return Say(sdk::Explanation{atom, holds, {}, {}}, layer, what);
+    Say(fmt::format("{}: {} was {}proved, for reasons that are not kept\n", what, atom,
+                    holds ? "" : "not "));
+  }
+
+  void SayWhoKeepsReasons(const config::LayerDescription& layer) {
+    const std::string& plugin = layer.reasoner.plugin;
+    if (plugin == "pttp" || plugin == "circumscription") {
+      return Say(fmt::format(
+          "layer {}: not all reasons were found within the budget of a decision\n", layer.name));
+    }
+    std::string_view remedy = "pttp and circumscription do, where a layer has a theory for them";
+    if (layer.language == "tptp") {
+      remedy = "for the same theory <reasoner plugin=\"circumscription\"/> or \"pttp\" does";
+    } else if (layer.language == "icarus") {
+      remedy = "for its program 'latchwork icarus run' has `why` and `why-not`";
+    }
+    Say(fmt::format("layer {}: reasoner {} does not keep all reasons; {}\n", layer.name, plugin,
+                    remedy));
   }
 
   void Say(const std::string& line) {
@@ -91,7 +119,7 @@ class Interview : public schedule::RunObserver {
   void Say(const sdk::Explanation& explanation, std::size_t layer, const std::string& what) {
     if (options_.json) {
       text_ += fmt::format("{{\"layer\":\"{}\",\"what\":\"{}\",\"explanation\":{}}}\n",
-                           names_[layer], what, ToJson(explanation));
+                           layers_[layer].name, what, ToJson(explanation));
     } else {
       text_ += fmt::format("{}: {}", what, ToText(explanation));
     }
@@ -99,9 +127,10 @@ class Interview : public schedule::RunObserver {
 
   const ExplainOptions& options_;
   std::optional<logic::Atom> why_not_;
-  std::vector<std::string> names_;
+  std::vector<config::LayerDescription> layers_;
   std::vector<std::shared_ptr<sdk::Reasoner>> reasoners_;
   std::string text_;
+  bool lacks_reasons_ = false;  ///< Of the decision at hand.
 };
 
 int Explain(const ExplainOptions& options, const Context& context) {
@@ -161,7 +190,7 @@ void AddExplain(CLI::App& app, Context& context) {
       "The run is made anew up to the tick, and each reasoner asked about its decision: how it\n"
       "came to each conclusion, and for each default why it was made, or which fact of which "
       "latch\n"
-      "retracted it. Not all reasoners keep reasons for defaults; circumscription does.\n\n"
+      "retracted it. Not all reasoners keep reasons; pttp and circumscription do.\n\n"
       "Examples:\n"
       "  latchwork explain examples/office/scenario1.xml --tick 40 --layer avoid\n"
       "  latchwork explain examples/office/scenario1.xml --scenario "

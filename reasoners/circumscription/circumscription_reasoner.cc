@@ -118,11 +118,12 @@ sdk::Derivation CircumscriptionReasoner::Explain(std::size_t conclusion) {
 }
 
 std::optional<sdk::Explanation> CircumscriptionReasoner::ExplainAssumption(std::size_t assumption) {
-  return was_exact_ ? exact_->ExplainAssumption(assumption) : std::nullopt;
+  return was_exact_ ? exact_->ExplainAssumption(assumption)
+                    : bounded_.ExplainAssumption(assumption);
 }
 
 std::optional<sdk::Explanation> CircumscriptionReasoner::WhyNot(const logic::Atom& pattern) {
-  return was_exact_ ? exact_->WhyNot(last_, pattern) : std::nullopt;
+  return was_exact_ ? exact_->WhyNot(last_, pattern) : bounded_.WhyNot(pattern);
 }
 
 }  // namespace latchwork::circumscription

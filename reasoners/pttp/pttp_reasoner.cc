@@ -7,6 +7,7 @@
 
 #include "reasoners/pttp/options.h"
 #include "reasoners/pttp/proofs/derivation.h"
+#include "reasoners/pttp/proofs/lacking_premises.h"
 
 namespace latchwork::pttp {
 
@@ -15,6 +16,7 @@ std::span<const sdk::ParameterSpec> PttpReasoner::parameters() const { return La
 logic::Diagnostics PttpReasoner::Load(const sdk::Body& body, const sdk::Parameters& parameters,
                                       logic::SymbolTable& symbols) {
   body_ = body;
+  symbols_ = &symbols;
   theory_ = std::make_unique<Theory>(body_, symbols);
   if (auto diagnostics = theory_->ReadFiles(); !diagnostics.empty()) return diagnostics;
   EngineOptions options;
@@ -339,19 +341,55 @@ class PttpReasoner::ExplainSink final : public ProofSink {
   const Engine& engine_;
 };
 
-sdk::Derivation PttpReasoner::Explain(std::size_t conclusion) {
-  if (!explainable_ || conclusion >= last_.conclusions.size()) return {};
+sdk::Budget PttpReasoner::BudgetToExplain() const {
   sdk::Budget budget = last_budget_;
   budget.deadline.reset();
   budget.cancelled = nullptr;
+  return budget;
+}
+
+sdk::Derivation PttpReasoner::DerivationOf(const logic::Atom& atom, const sdk::Budget& budget) {
   engine_->Begin(budget);
-  const sdk::Conclusion& wanted = last_.conclusions[conclusion];
-  const logic::Literal literal{true, wanted.fact};
+  const logic::Literal literal{true, atom};
   Query query;
-  engine_->CompileQuery({&literal, 1}, 0, query.terms, query.clause);
+  engine_->CompileQuery({&literal, 1}, VariablesOf(atom), query.terms, query.clause);
   ExplainSink sink(*engine_);
   engine_->SolveWithSteps(query, budget.depth, sink);
   return std::move(sink.derivation);
+}
+
+sdk::Derivation PttpReasoner::Explain(std::size_t conclusion) {
+  if (!explainable_ || conclusion >= last_.conclusions.size()) return {};
+  return DerivationOf(last_.conclusions[conclusion].fact, BudgetToExplain());
+}
+
+std::optional<sdk::Explanation> PttpReasoner::ExplainAssumption(std::size_t assumption) {
+  if (!explainable_ || assumption >= last_.assumptions.size()) return std::nullopt;
+  const sdk::Assumption& made = last_.assumptions[assumption];
+  sdk::Budget budget = BudgetToExplain();
+  for (const sdk::Minimized& minimized : body_.minimized) {
+    const bool is_bound = minimized.predicate == NameOf(made.atom) && minimized.depth > 0;
+    if (is_bound) budget.depth = minimized.depth;
+  }
+  const bool holds = made.state == sdk::Assumption::State::kRetracted;
+  sdk::Explanation explanation{ToString(made.atom), holds, {}, {}};
+  if (holds) {
+    explanation.derivation = DerivationOf(made.atom, budget);
+  } else {
+    explanation.misses = LackingPremises(made.atom, budget, *engine_, *symbols_);
+  }
+  return explanation;
+}
+
+std::optional<sdk::Explanation> PttpReasoner::WhyNot(const logic::Atom& pattern) {
+  if (!explainable_ || last_.status == sdk::Status::kInconsistent) return std::nullopt;
+  const sdk::Budget budget = BudgetToExplain();
+  sdk::Explanation explanation{ToString(pattern), false, {}, DerivationOf(pattern, budget)};
+  explanation.holds = !explanation.derivation.steps.empty();
+  if (!explanation.holds) {
+    explanation.misses = LackingPremises(pattern, budget, *engine_, *symbols_);
+  }
+  return explanation;
 }
 
 namespace {

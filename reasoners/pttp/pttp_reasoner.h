@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,6 +36,8 @@ class PttpReasoner final : public sdk::Reasoner {
   logic::Diagnostics Tell(std::string_view text) override;
   logic::Diagnostics Retract(std::string_view name) override;
   sdk::Derivation Explain(std::size_t conclusion) override;
+  std::optional<sdk::Explanation> ExplainAssumption(std::size_t assumption) override;
+  std::optional<sdk::Explanation> WhyNot(const logic::Atom& pattern) override;
 
  private:
   class GoalSink;
@@ -61,8 +64,13 @@ class PttpReasoner final : public sdk::Reasoner {
   void CompileGoals();
   void VoidMemory();
   std::string Conflict(const logic::Fact& fact, std::uint32_t depth);
+  /// The budget of the last decision, without what stopped it from outside.
+  sdk::Budget BudgetToExplain() const;
+  /// Empty: there is no proof within the budget.
+  sdk::Derivation DerivationOf(const logic::Atom& atom, const sdk::Budget& budget);
 
   sdk::Body body_;
+  logic::SymbolTable* symbols_ = nullptr;
   std::unique_ptr<Theory> theory_;
   std::unique_ptr<Engine> engine_;
   std::vector<std::unique_ptr<Query>> goals_;

@@ -56,7 +56,29 @@ TEST(ExplainCommandTest, Prover_ProvesItsConclusions) {
   const CommandResult result = Explain({"--tick", "40", "--layer", "avoid", "--why-not", "fwd(X)"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("holds:\n"));
-  EXPECT_THAT(result.out, HasSubstr("keeps no reasons for what it does not conclude"));
+  EXPECT_THAT(result.out, HasSubstr("why not: fwd(X0) holds:\n"));
+  EXPECT_THAT(result.out, HasSubstr("assumption, made: nothing concludes halt_robot:\n  '"));
+}
+
+TEST(ExplainCommandTest, ReasonerWithoutReasons_NamesOneThatHasThem) {
+  const CommandResult result = Explain({"--tick", "40", "--layer", "avoid", "--why-not",
+                                        "halt_robot", "--scenario", "examples/office/icarus.xml"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("layer avoid: reasoner icarus does not keep all reasons; for "
+                                    "its program 'latchwork icarus run' has `why`"));
+}
+
+TEST(ExplainCommandTest, ReasonerOfTheoriesWithoutReasons_SaysWhatToChange) {
+  if (RunShell("command -v swipl", LATCHWORK_SOURCE_DIR).exit_code != 0) {
+    GTEST_SKIP() << "there is no SWI-Prolog";
+  }
+  const CommandResult result =
+      Explain({"--tick", "40", "--layer", "avoid", "--scenario", "examples/office/swipl.xml"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr(", whose derivation is not kept\n"));
+  EXPECT_THAT(result.out, HasSubstr("assumption, made: halt_robot was not proved, for reasons that "
+                                    "are not kept\n"));
+  EXPECT_THAT(result.out, HasSubstr("for the same theory <reasoner plugin=\"circumscription\"/>"));
 }
 
 TEST(ExplainCommandTest, TickWithoutADecision_IsSaid) {

@@ -106,7 +106,7 @@ class Attempt {
   }
 
   Term Instance(const Term& term) const {
-    const Term walked = Walk(term);
+    Term walked = Walk(term);
     if (walked.kind() != Term::Kind::kCompound) return walked;
     std::vector<Term> arguments;
     for (const Term& argument : walked.arguments()) arguments.push_back(Instance(argument));

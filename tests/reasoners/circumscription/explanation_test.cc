@@ -310,7 +310,7 @@ TEST(SpentExplanationTest, NothingIsExplainedWhereTheBudgetRanOut) {
   EXPECT_FALSE(mind.reasoner.WhyNot(pattern).has_value());
 }
 
-TEST_F(ExplanationTest, BoundedDecisionsHaveNone) {
+TEST(BoundedExplanationTest, ReasonsAreTheProvers) {
   CircumscribingMind mind(kReflex);
   mind.Goal("fwd(V)");
   mind.Input("speed", 1);
@@ -321,8 +321,12 @@ TEST_F(ExplanationTest, BoundedDecisionsHaveNone) {
   mind.Parameter("mode", "bounded");
   mind.Load();
   mind.Latch(0, {"speed(0.3)"});
-  mind.Decide();
   EXPECT_FALSE(mind.reasoner.ExplainAssumption(0).has_value());
+  mind.Decide();
+  const auto explanation = mind.reasoner.ExplainAssumption(0);
+  ASSERT_TRUE(explanation.has_value());
+  EXPECT_THAT(ToText(*explanation), ::testing::HasSubstr("'touched' has 0 of 1 premises"));
+  EXPECT_TRUE(mind.reasoner.WhyNot(mind.Atom("fwd(V)"))->holds);
 }
 
 }  // namespace
