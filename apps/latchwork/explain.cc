@@ -105,7 +105,7 @@ class Interview : public schedule::RunObserver {
     }
     std::string_view remedy = "pttp and circumscription do, where a layer has a theory for them";
     if (layer.language == "tptp") {
-      remedy = "for the same theory <reasoner plugin=\"circumscription\"/> or \"pttp\" does";
+      remedy = R"(for the same theory <reasoner plugin="circumscription"/> or "pttp" does)";
     } else if (layer.language == "icarus") {
       remedy = "for its program 'latchwork icarus run' has `why` and `why-not`";
     }

@@ -70,6 +70,28 @@ INSTANTIATE_TEST_SUITE_P(Reasoners, WalledInTest,
                                            "swipl"),
                          [](const auto& reasoner) { return std::string(reasoner.param); });
 
+/// Saturation makes ever more situations, so that E can only say that its budget is used up. It
+/// does at each decision, and in time.
+TEST(WalledInBudgetTest, E_SaysThatItsBudgetIsUsedUp) {
+  const test::TemporaryFolder scratch;
+  if (RunShell("command -v eprover", scratch.path()).exit_code != 0) GTEST_SKIP() << "no E";
+  const std::string office = kOffice;
+  const CommandResult result =
+      RunShell("latchwork run " + office + "walled_in.xml --scenario " + office +
+                   "eprover.xml --ticks 100 --json --quiet --out out",
+               scratch.path());
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  const auto summary = nlohmann::json::parse(result.out, nullptr, false);
+  ASSERT_TRUE(summary.is_object()) << result.out;
+  EXPECT_EQ(summary.at("outcome"), "not reached");
+  EXPECT_EQ(summary.at("measures").at("distance_m"), 0.0);
+  EXPECT_EQ(summary.at("layers").at(3).at("budget_hits"), kDecisions);
+  EXPECT_EQ(summary.at("layers").at(3).at("faults"), 0);
+  const std::string journal = ReadText(scratch.path() / "out/run.journal");
+  EXPECT_EQ(Count(journal, R"({"layer":"itinerary","status":"unknown","limit":"inferences")"),
+            kDecisions);
+}
+
 /// Theories say more than that there is no way: which default about a door did not hold.
 TEST(WalledInReasonTest, RetractedDefault_IsNamed) {
   const test::TemporaryFolder scratch;

@@ -130,6 +130,7 @@ class Attempt {
   SearchEnd Prove(const std::vector<std::size_t>& chosen) {
     if (budget_.inferences == 0) return SearchEnd::kStopped;
     std::vector<Literal> literals;
+    literals.reserve(chosen.size());
     for (const std::size_t index : chosen) literals.push_back(premises_[index]);
     Query query;
     engine_.Begin(budget_);
@@ -169,8 +170,9 @@ std::vector<sdk::NearMiss> LackingPremises(const logic::Atom& target, const sdk:
     for (const Literal& literal : clause.literals) {
       if (!literal.positive || NameOf(literal.atom) != NameOf(target)) continue;
       auto miss = Attempt(clause, target, engine, left).Follow(literal, equality);
-      if (miss) misses.push_back(*std::move(miss));
-      if (miss) break;
+      if (!miss) continue;
+      misses.push_back(*std::move(miss));
+      break;
     }
   }
   std::ranges::stable_sort(misses, {},
