@@ -68,7 +68,7 @@ std::string ToText(const Explanation& explanation) {
     return text + ToText(explanation.derivation);
   }
   text = fmt::format("nothing concludes {}{}\n", explanation.subject,
-                     explanation.misses.empty() ? ", nor could" : ":");
+                     explanation.misses.empty() ? ", and no clause could" : ":");
   for (const NearMiss& miss : explanation.misses) {
     text += fmt::format("  '{}' has {} of {} premises and lacks {}\n", miss.clause, miss.met,
                         miss.premises, miss.lacks);

@@ -85,16 +85,21 @@ class Attempt {
     // An argument that is computed is known when the premises are.
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < premises; ++i) open.push_back(i);
-    if (fits != SearchEnd::kAccepted) open.insert(open.end(), chosen.begin(), chosen.end());
+    if (fits == SearchEnd::kUndetermined) open.insert(open.end(), chosen.begin(), chosen.end());
     if (fits != SearchEnd::kAccepted) chosen.clear();
     const std::size_t all = open.size();
     while (ProveOneMore(chosen, open)) {
     }
-    return sdk::NearMiss{clause_.name, clause_.place, all - open.size(), all,
-                         open.empty() ? "a deeper search" : texts_[open.front()]};
+    return sdk::NearMiss{clause_.name, clause_.place, all - open.size(), all, Lacked(open)};
   }
 
  private:
+  std::string Lacked(const std::vector<std::size_t>& open) const {
+    if (open.empty()) return "a deeper search";
+    if (budget_.inferences > 0) return texts_[open.front()];
+    return "more inferences to say what";
+  }
+
   void Compile() {
     for (const Literal& premise : premises_) {
       texts_.push_back(ToString(premise, clause_.variable_names));

@@ -220,7 +220,7 @@ TEST_F(PatternTest, OnlyItsInstancesAnswerAfterASearch) {
 TEST_F(PatternTest, WorldsAreShownForItsInstancesOnly) {
   DecideWith({"move(on)"});
   EXPECT_THAT(TextOf("push(left, X)"), ::testing::HasSubstr("some minimal world"));
-  EXPECT_EQ(TextOf("push(up, X)"), "nothing concludes push(up, X0), nor could\n");
+  EXPECT_EQ(TextOf("push(up, X)"), "nothing concludes push(up, X0), and no clause could\n");
 }
 
 TEST_F(PatternTest, RepeatedVariablesAreWhatClausesLack) {

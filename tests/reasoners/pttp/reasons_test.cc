@@ -102,7 +102,15 @@ TEST(ReasonsOfPatternsTest, RepeatedVariablesAndComputedArguments) {
   EXPECT_EQ(why_not("out(7)"),
             "nothing concludes out(7):\n"
             "  'next' has 1 of 2 premises and lacks $sum(3, 1) = 7\n");
-  EXPECT_EQ(why_not("far(b)"), "nothing concludes far(b), nor could\n");
+  EXPECT_EQ(why_not("far(b)"), "nothing concludes far(b), and no clause could\n");
+}
+
+TEST_F(ReasonsTest, WhatTheBudgetEndedIsNotSaidToLack) {
+  mind_.budget.inferences = 2;
+  mind_.Latch(1, {"object(box)", "distance(box, 0.75)"});
+  mind_.Decide();
+  EXPECT_THAT(WhyNot("halt_robot"), ::testing::HasSubstr("lacks more inferences to say what\n"));
+  EXPECT_THAT(WhyNot("halt_robot"), ::testing::Not(::testing::HasSubstr("lacks $less")));
 }
 
 TEST(ReasonsWithinBoundsTest, WhatOnlyLacksDepthSaysSo) {
