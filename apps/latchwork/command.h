@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace latchwork::app {
@@ -25,6 +27,10 @@ struct Context {
   std::filesystem::path executable;  ///< Of this process, for finding plugins beside it.
   std::vector<std::filesystem::path> plugin_folders;  ///< --plugin-path, searched first.
   int exit_code = kDone;                              ///< Set by the callback of the subcommand.
+  /// Does what a command line says, its first word being the program, and returns the exit code.
+  std::function<int(const std::vector<std::string>& words, Context& context)> execute;
+  /// Told of the libraries of the plugins of each run; may be empty.
+  std::function<void(const std::filesystem::path& library)> used;
 };
 
 /// Each adds one subcommand with its options and a callback that does the work and sets
@@ -38,6 +44,7 @@ void AddEntail(CLI::App& app, Context& context);
 void AddSemantics(CLI::App& app, Context& context);
 void AddExplain(CLI::App& app, Context& context);
 void AddCompare(CLI::App& app, Context& context);
+void AddForkServer(CLI::App& app, Context& context);
 void AddDiffReasoners(CLI::App& app, Context& context);
 void AddReplay(CLI::App& app, Context& context);
 void AddIcarus(CLI::App& app, Context& context);

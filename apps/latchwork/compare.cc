@@ -65,8 +65,8 @@ void MakeMissing(const Experiment& experiment, const CompareOptions& options,
   Progress progress("runs", options.quiet);
   std::size_t done = 0;
   compare::QueueOptions queue;
-  queue.command = {compare::LaunchOf(context.executable, context.plugin_folders),
-                   experiment.limits};
+  queue.launch = compare::LaunchOf(context.executable, context.plugin_folders);
+  queue.limits = experiment.limits;
   queue.jobs = options.jobs;
   queue.on_done = [&](const RunRecord& record) {
     progress.Update(++done, missing.size());
@@ -109,7 +109,8 @@ int RunExperiment(const Experiment& experiment, const CompareOptions& options,
       {compare::LaunchOf(context.executable, context.plugin_folders),
        {fmt::format("latchwork compare {} --out {}", compare::ForShell(options.experiment.string()),
                     compare::ForShell(options.out.string())),
-        "latchwork", LATCHWORK_VERSION}});
+        "latchwork", LATCHWORK_VERSION},
+       &interrupted});
   fmt::print(stderr, "{}", folder.trouble().text);
   if (folder.trouble().kind == Trouble::Kind::kInput) return kInvalidInput;
   if (folder.trouble().kind == Trouble::Kind::kWriting) return kInternalError;

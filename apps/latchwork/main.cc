@@ -33,13 +33,14 @@ std::vector<std::string> SubcommandNames(const CLI::App& app) {
   return names;
 }
 
-int ReportUsage(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+int ReportUsage(const CLI::App& app, const CLI::ParseError& error,
+                const std::vector<std::string>& words) {
   fmt::print(stderr, "latchwork: {}\n", error.what());
   const std::vector<std::string> names = SubcommandNames(app);
-  if (argc > 1 && app.get_subcommands().empty() && argv[1][0] != '-') {
-    const std::string_view nearest = logic::NearestName(argv[1], names);
+  if (words.size() > 1 && app.get_subcommands().empty() && !words[1].starts_with('-')) {
+    const std::string_view nearest = logic::NearestName(words[1], names);
     if (!nearest.empty()) {
-      fmt::print(stderr, "  there is no command '{}'; did you mean '{}'?\n", argv[1], nearest);
+      fmt::print(stderr, "  there is no command '{}'; did you mean '{}'?\n", words[1], nearest);
     }
   }
   const auto chosen = app.get_subcommands();
@@ -54,9 +55,7 @@ std::filesystem::path ExecutablePath(const char* invoked_as) {
   return error ? std::filesystem::path(invoked_as) : path;
 }
 
-int Main(int argc, char** argv) {
-  Context context;
-  context.executable = ExecutablePath(argv[0]);
+int Parse(const std::vector<std::string>& words, Context& context) {
   CLI::App app("latchwork: robots controlled by layers of reasoning", "latchwork");
   app.footer(std::string(kExitCodes));
   app.require_subcommand(1);
@@ -73,30 +72,38 @@ int Main(int argc, char** argv) {
   AddSemantics(app, context);
   AddExplain(app, context);
   AddCompare(app, context);
+  AddForkServer(app, context);
   AddDiffReasoners(app, context);
   AddReplay(app, context);
   AddIcarus(app, context);
   AddPlugin(app, context);
   try {
-    app.parse(argc, argv);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend() - 1));
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    return ReportUsage(app, error, argc, argv);
+    return ReportUsage(app, error, words);
   }
   return context.exit_code;
+}
+
+int Execute(const std::vector<std::string>& words, Context& context) {
+  try {
+    return Parse(words, context);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "latchwork: internal error: %s\n", error.what());
+  } catch (...) {
+    std::fputs("latchwork: internal error\n", stderr);
+  }
+  return kInternalError;
 }
 
 }  // namespace
 }  // namespace latchwork::app
 
 int main(int argc, char** argv) {
-  try {
-    return latchwork::app::Main(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "latchwork: internal error: %s\n", error.what());
-  } catch (...) {
-    std::fputs("latchwork: internal error\n", stderr);
-  }
-  return latchwork::app::kInternalError;
+  latchwork::app::Context context;
+  context.executable = latchwork::app::ExecutablePath(argv[0]);
+  context.execute = latchwork::app::Execute;
+  return latchwork::app::Execute({argv, argv + argc}, context);
 }

@@ -163,6 +163,9 @@ void Run(const RunOptions& options, Context& context) {
       plugin::MakeSearchPath(context.plugin_folders, context.executable));
   const std::vector<FinishedRun> runs = RunAll(requests, registry, options);
   Print(runs, options);
+  if (context.used) {
+    for (const FinishedRun& run : runs) std::ranges::for_each(run.libraries, context.used);
+  }
   context.exit_code = ExitCodeOf(runs);
 }
 

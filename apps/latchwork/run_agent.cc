@@ -101,6 +101,22 @@ void CloseJournal(const record::JournalWriter& journal, const std::filesystem::p
   }
 }
 
+std::vector<std::filesystem::path> LibrariesOf(const config::AgentDescription& agent,
+                                               const plugin::Registry& registry) {
+  std::vector<std::filesystem::path> files;
+  const auto add = [&](sdk::PluginKind kind, const std::string& name) {
+    for (const plugin::PluginEntry& entry : registry.List()) {
+      if (entry.info && entry.info->kind == kind && entry.name == name) files.push_back(entry.file);
+    }
+  };
+  add(sdk::PluginKind::kWorld, agent.world.plugin);
+  for (const config::LayerDescription& layer : agent.layers) {
+    add(sdk::PluginKind::kLayer, layer.plugin);
+    add(sdk::PluginKind::kReasoner, layer.reasoner.plugin);
+  }
+  return files;
+}
+
 }  // namespace
 
 std::optional<schedule::Agent> PrepareAgent(const RunRequest& request,
@@ -134,6 +150,7 @@ FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry
   if (!request.out.empty() && !MakeFolder(request.out, run)) return run;
 
   run.agent_name = agent->description.name;
+  run.libraries = LibrariesOf(agent->description, registry);
   run.duration_s = static_cast<double>(request.ticks.value_or(agent->description.max_ticks)) *
                    static_cast<double>(agent->description.tick_us) / 1e6;
   for (const auto& layer : agent->description.layers) run.layer_names.push_back(layer.name);

@@ -49,6 +49,7 @@ struct FinishedRun {
   std::vector<EventNote> events;
   std::string trajectory;  ///< See Trajectory::ToText.
   std::vector<std::filesystem::path> written;
+  std::vector<std::filesystem::path> libraries;  ///< Of its plugins; each may come several times.
   bool began = false;
 };
 

@@ -70,8 +70,7 @@ compare::Launch LaunchOf(const Options& options) {
 }
 
 int Serve(MpiLink& link, const Options& options) {
-  const compare::RunCommand command{LaunchOf(options), {}};
-  switch (Work(link, command, Endurance(options.patience_seconds))) {
+  switch (Work(link, LaunchOf(options), Endurance(options.patience_seconds))) {
     case Ending::kTogether:
       link.Part();
       return app::kDone;

@@ -28,11 +28,12 @@ class Child {
   Child(const Limits& limits, const std::atomic<bool>& stop, std::string_view input)
       : limits_(limits), stop_(stop), unwritten_(input) {}
 
-  ChildResult Run(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
+  using Start = std::function<pid_t(const Streams& streams)>;
+
+  ChildResult Run(const Start& start) {
     const bool are_open = input_.is_open() && output_.is_open() && errors_.is_open();
-    const Channel* const input = unwritten_.empty() ? nullptr : &input_;
     if (are_open) {
-      process_ = Spawn(program, arguments, limits_.memory_mb, input, output_, errors_);
+      process_ = start({unwritten_.empty() ? nullptr : &input_, &output_, &errors_});
     }
     if (process_ <= 0) {
       result_.errors = std::strerror(errno);
@@ -125,7 +126,16 @@ class Child {
 ChildResult RunChild(const std::filesystem::path& program,
                      const std::vector<std::string>& arguments, const Limits& limits,
                      const std::atomic<bool>& stop, std::string_view input) {
-  return Child(limits, stop, input).Run(program, arguments);
+  return Child(limits, stop, input).Run([&](const Streams& streams) {
+    return Spawn(program, arguments, limits.memory_mb, streams);
+  });
+}
+
+ChildResult RunForked(const std::function<int()>& work, const Limits& limits,
+                      const std::atomic<bool>& stop) {
+  return Child(limits, stop, {}).Run([&](const Streams& streams) {
+    return Fork(work, limits.memory_mb, streams);
+  });
 }
 
 }  // namespace latchwork::process

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,13 @@ struct ChildResult {
 ChildResult RunChild(const std::filesystem::path& program,
                      const std::vector<std::string>& arguments, const Limits& limits,
                      const std::atomic<bool>& stop, std::string_view input = {});
+
+/// The same for `work`, in a copy of this process; what it returns is the exit code, and its
+/// processor time counts from the copying. The copy ends as soon as `work` returns and standard
+/// output is written: nothing else is torn down. Thread rule: this process has one thread, which
+/// lives as long as the copy.
+ChildResult RunForked(const std::function<int()>& work, const Limits& limits,
+                      const std::atomic<bool>& stop);
 
 }  // namespace latchwork::process
 

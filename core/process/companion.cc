@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 
 namespace latchwork::process {
@@ -21,12 +22,13 @@ constexpr int kPollMilliseconds = 50;
 bool Companion::Start(const std::filesystem::path& program,
                       const std::vector<std::string>& arguments, std::uint64_t memory_mb) {
   Kill();
+  status_ = 0;
   errors_.clear();
   channels_ = std::make_unique<Channels>();
   Channels& channels = *channels_;
   if (channels.input.is_open() && channels.output.is_open() && channels.errors.is_open()) {
     child_ =
-        Spawn(program, arguments, memory_mb, &channels.input, channels.output, channels.errors);
+        Spawn(program, arguments, memory_mb, {&channels.input, &channels.output, &channels.errors});
   }
   if (child_ <= 0) errors_ = std::strerror(errno);
   channels.input.CloseReader();
@@ -35,16 +37,39 @@ bool Companion::Start(const std::filesystem::path& program,
   return child_ > 0;
 }
 
+void Companion::End(std::chrono::milliseconds patience) {
+  if (!is_running()) return;
+  kill(child_, SIGTERM);
+  const Clock::time_point last = Clock::now() + patience;
+  siginfo_t ended{};
+  const auto is_over = [&] {
+    return waitid(P_PID, static_cast<id_t>(child_), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+           ended.si_pid == child_;
+  };
+  while (!is_over() && Clock::now() < last) poll(nullptr, 0, 1);
+  Kill();
+}
+
 void Companion::Kill() {
   if (child_ > 0) {
     KillGroup(child_);
-    while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
+    while (waitpid(child_, &status_, 0) < 0 && errno == EINTR) {
     }
+    HearLast();
   }
   child_ = -1;
   channels_.reset();
   heard_.clear();
   taken_ = searched_ = 0;
+}
+
+/// What it said before it ended; others may still hold the other end.
+void Companion::HearLast() {
+  Channel& errors = channels_->errors;
+  pollfd waiting{errors.reader(), POLLIN, 0};
+  while (errors_.size() <= 2 * kMostErrors && poll(&waiting, 1, 0) > 0 && errors.Take(errors_)) {
+  }
+  if (errors_.size() > kMostErrors) errors_.erase(0, errors_.size() - kMostErrors);
 }
 
 std::optional<Companion::Reply> Companion::Impatience(const Patience& patience) {

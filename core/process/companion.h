@@ -44,10 +44,14 @@ class Companion {
   bool Send(std::string_view text, const Patience& patience);
   /// The next line without its end. On kEnded it is gone; on kLate and kCancelled it still works.
   Reply ReadLine(std::string& line, const Patience& patience);
+  /// Asks it to end, by SIGTERM, and kills it when it has not after a while.
+  void End(std::chrono::milliseconds patience);
   void Kill();
 
   /// The last 4 KB of what it wrote to standard error.
   const std::string& errors() const { return errors_; }
+  /// How the one before ended, as waitpid tells.
+  int status() const { return status_; }
 
  private:
   struct Channels {
@@ -57,10 +61,12 @@ class Companion {
   };
   /// Waits for something to happen; false: it is gone.
   bool Exchange(bool writes, const Patience& patience, std::string_view& unwritten);
+  void HearLast();
   static std::optional<Reply> Impatience(const Patience& patience);
 
   std::unique_ptr<Channels> channels_;
   pid_t child_ = -1;
+  int status_ = 0;
   std::string heard_;
   std::size_t taken_ = 0;  ///< Of `heard_`.
   std::size_t searched_ = 0;

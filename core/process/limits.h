@@ -6,6 +6,9 @@
 
 namespace latchwork::process {
 
+/// As much as there is.
+inline constexpr std::uint64_t kAnyMemory = ~std::uint64_t{0} >> 20U;
+
 /// What a program may use before it is ended.
 struct Limits {
   double wall_seconds = 300;

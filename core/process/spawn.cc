@@ -8,26 +8,33 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <utility>
 
 namespace latchwork::process {
 namespace {
 
-/// In the child, where only calls that are safe after fork are allowed.
-[[noreturn]] void Become(const char* program, char* const* arguments, int input, int output,
-                         int errors, rlim_t memory) {
+/// Makes a child what all of them are. Only calls that are safe after fork are allowed.
+void Detach(const Streams& streams, rlim_t memory, pid_t parent) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  dup2(input >= 0 ? input : open("/dev/null", O_RDONLY), STDIN_FILENO);
-  dup2(output, STDOUT_FILENO);
-  dup2(errors, STDERR_FILENO);
+  if (getppid() != parent) _exit(kCannotExecute);  // It died before it could be followed.
+  dup2(streams.input != nullptr ? streams.input->reader() : open("/dev/null", O_RDONLY | O_CLOEXEC),
+       STDIN_FILENO);
+  dup2(streams.output->writer(), STDOUT_FILENO);
+  dup2(streams.errors->writer(), STDERR_FILENO);
   const rlimit limit{memory, memory};
   setrlimit(RLIMIT_AS, &limit);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
-  execv(program, arguments);
-  _exit(kCannotExecute);
+}
+
+/// Nothing gets out of here, least of all into what this is a copy of.
+[[noreturn]] void Finish(const std::function<int()>& work) noexcept {
+  const int code = work();
+  std::fflush(nullptr);
+  _exit(code);
 }
 
 }  // namespace
@@ -62,19 +69,28 @@ std::optional<std::size_t> Channel::Give(std::string_view text) const {
 }
 
 pid_t Spawn(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-            std::uint64_t memory_mb, const Channel* input, const Channel& output,
-            const Channel& errors) {
+            std::uint64_t memory_mb, const Streams& streams) {
   std::vector<std::string> words = {program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
+  const pid_t parent = getpid();
   const pid_t child = fork();
-  if (child == 0) {
-    Become(words.front().c_str(), pointers.data(), input == nullptr ? -1 : input->reader(),
-           output.writer(), errors.writer(), memory_mb << 20U);
-  }
-  return child;
+  if (child != 0) return child;
+  Detach(streams, memory_mb << 20U, parent);
+  execv(words.front().c_str(), pointers.data());
+  _exit(kCannotExecute);
+}
+
+pid_t Fork(const std::function<int()>& work, std::uint64_t memory_mb, const Streams& streams) {
+  std::fflush(nullptr);
+  const pid_t parent = getpid();
+  const pid_t child = fork();
+  if (child != 0) return child;
+  Detach(streams, memory_mb << 20U, parent);
+  Finish(work);
 }
 
 void KillGroup(pid_t child) {

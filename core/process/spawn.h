@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,11 +49,20 @@ class Channel {
   bool is_open_ = false;
 };
 
-/// Starts a program in a process group of its own, that ends with this process at the latest.
-/// Without `input`, its standard input is empty. -1: errno says why not.
+/// What a child reads and writes. Without `input` it has nothing to read.
+struct Streams {
+  const Channel* input = nullptr;
+  const Channel* output = nullptr;
+  const Channel* errors = nullptr;
+};
+
+/// Starts a program in a process group of its own, that ends with the calling thread at the latest.
+/// -1: errno says why not.
 pid_t Spawn(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-            std::uint64_t memory_mb, const Channel* input, const Channel& output,
-            const Channel& errors);
+            std::uint64_t memory_mb, const Streams& streams);
+
+/// The same with a copy of this process, which has one thread. It ends with what `work` returns.
+pid_t Fork(const std::function<int()>& work, std::uint64_t memory_mb, const Streams& streams);
 
 /// Ends a child and what it started; it is still to be waited for.
 void KillGroup(pid_t child);

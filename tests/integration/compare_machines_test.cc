@@ -32,7 +32,8 @@ class KilledExperimentTest : public TowersTest {
     const auto experiment = compare::ReadExperiment("towers.xml").experiment;
     compare::ResultFolder folder(*experiment, "killed");
     compare::QueueOptions queue;
-    queue.command = {{LATCHWORK_BINARY_DIR "/bin/latchwork", {}}, experiment->limits};
+    queue.launch = {LATCHWORK_BINARY_DIR "/bin/latchwork", {}};
+    queue.limits = experiment->limits;
     queue.jobs = 2;
     queue.on_done = [&](const compare::RunRecord& record) {
       const bool kept = folder.Keep(record);

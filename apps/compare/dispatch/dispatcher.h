@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "apps/compare/dispatch/task.h"
 #include "apps/compare/runs/run_record.h"
+#include "apps/compare/runs/task.h"
 
 namespace latchwork::compare {
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <charconv>
 #include <fstream>
 #include <iterator>
@@ -15,12 +14,12 @@
 #include <utility>
 
 #include "apps/compare/runs/run_plan.h"
-#include "core/process/child_process.h"
+#include "apps/compare/runs/run_queue.h"
 
 namespace latchwork::compare {
 namespace {
 
-constexpr double kLongestDrawing = 30;  // s; nobody can stop it
+constexpr double kLongestDrawing = 30;  // s
 
 /// The numbers of NAME="1 2 3"; false when there are not just so many.
 bool ReadNumbers(std::string_view head, std::string_view name, std::span<double> numbers) {
@@ -64,8 +63,9 @@ Building ReadBuilding(const std::filesystem::path& folder) {
 }
 
 /// Whether it came to its end, with the goal reached or not.
-bool HasRun(const process::ChildResult& child) {
-  return child.end == process::ChildResult::End::kExited && child.code <= 1;
+bool HasRun(Outcome outcome) {
+  return outcome != Outcome::kTimedOut && outcome != Outcome::kCrashed &&
+         outcome != Outcome::kInvalid;
 }
 
 /// A new folder that is gone with this object; empty where none can be made.
@@ -111,23 +111,22 @@ std::optional<FloorPlan> ReadPlan(std::string_view svg) {
                    view[2] / (area[2] - area[0])};
 }
 
-std::map<std::string, Building> DrawBuildings(const Experiment& experiment, const Launch& launch) {
+std::map<std::string, Building> DrawBuildings(const Experiment& experiment, const Launch& launch,
+                                              const std::atomic<bool>& stop) {
   std::map<std::string, Building> buildings;
   RunLimits limits = experiment.limits;
   limits.wall_seconds = std::min(limits.wall_seconds, kLongestDrawing);
-  for (const PlannedRun& run : PlanRuns(experiment)) {
+  ForkServer server(launch);
+  for (PlannedRun& run : PlanRuns(experiment)) {
     if (run.key.seed != experiment.first_seed) break;
     if (buildings.contains(run.key.scenario)) continue;
     const Scratch scratch;
     if (scratch.path().empty()) return buildings;
-    std::vector<std::string> arguments = launch.arguments;
-    arguments.insert(arguments.end(), run.arguments.begin(), run.arguments.end());
-    arguments.insert(arguments.end(),
-                     {"--ticks", "1", "--quiet", "--out", scratch.path().string()});
-    const std::atomic<bool> stop = false;
-    const auto child = process::RunChild(launch.program, arguments, limits, stop);
+    run.arguments.insert(run.arguments.end(), {"--ticks", "1", "--out", scratch.path().string()});
+    const auto record = MakeRun(server, {run, limits}, stop);
+    if (!record) return buildings;
     Building building = ReadBuilding(scratch.path());
-    if (building.empty() && !HasRun(child)) continue;
+    if (building.empty() && !HasRun(record->outcome)) continue;
     buildings[run.key.scenario] = std::move(building);
   }
   return buildings;

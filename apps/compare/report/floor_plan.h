@@ -2,6 +2,7 @@
 #ifndef LATCHWORK_APPS_COMPARE_REPORT_FLOOR_PLAN_H_
 #define LATCHWORK_APPS_COMPARE_REPORT_FLOOR_PLAN_H_
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -31,8 +32,9 @@ std::optional<FloorPlan> ReadPlan(std::string_view svg);
 
 /// Lets the world of every scenario draw itself ("plan1.svg" for floor 1), in a process of its own
 /// that runs for one tick. A world that draws no plans has an empty building, one
-/// that cannot run, or takes longer than 30 s, none. By scenario.
-std::map<std::string, Building> DrawBuildings(const Experiment& experiment, const Launch& launch);
+/// that cannot run, takes longer than 30 s, or is cut off by `stop`, none. By scenario.
+std::map<std::string, Building> DrawBuildings(const Experiment& experiment, const Launch& launch,
+                                              const std::atomic<bool>& stop);
 
 }  // namespace latchwork::compare
 

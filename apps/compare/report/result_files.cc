@@ -18,13 +18,14 @@ std::string WriteText(const std::filesystem::path& file, const std::string& text
   return stream ? "" : "cannot be written";
 }
 
-std::map<std::string, Building> BuildingsOf(const Experiment& experiment, const Launch& launch) {
-  if (launch.program.empty()) {
+std::map<std::string, Building> BuildingsOf(const Experiment& experiment, const Origin& origin) {
+  if (origin.launch.program.empty()) {
     std::map<std::string, Building> none;
     for (const Scenario& scenario : experiment.scenarios) none[scenario.name];
     return none;
   }
-  return DrawBuildings(experiment, launch);
+  const std::atomic<bool> never = false;
+  return DrawBuildings(experiment, origin.launch, origin.stop == nullptr ? never : *origin.stop);
 }
 
 }  // namespace
@@ -38,7 +39,7 @@ WrittenResults WriteResultFiles(const std::filesystem::path& folder, const Exper
     written.problems += fmt::format("{}: {}\n", (folder / name).string(), problem);
   };
   note("report.txt", WriteText(folder / "report.txt", written.report));
-  const std::map<std::string, Building> buildings = BuildingsOf(experiment, origin.launch);
+  const std::map<std::string, Building> buildings = BuildingsOf(experiment, origin);
   const ReportInput input{experiment, records, findings, buildings, origin.making};
   note("report.html", WriteText(folder / "report.html", ToHtml(input)));
   for (const Scenario& scenario : experiment.scenarios) {

@@ -2,6 +2,7 @@
 #ifndef LATCHWORK_APPS_COMPARE_REPORT_RESULT_FILES_H_
 #define LATCHWORK_APPS_COMPARE_REPORT_RESULT_FILES_H_
 
+#include <atomic>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -21,6 +22,7 @@ struct WrittenResults {
 struct Origin {
   Launch launch;  ///< Draws the floors for the report; without a program there are none.
   Making making;
+  const std::atomic<bool>* stop = nullptr;  ///< Ends the drawing; may be null.
 };
 
 /// Writes all files of an experiment but its log, whatever is there.

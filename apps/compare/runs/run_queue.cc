@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/compare/runs/run_queue.h"
 
+#include <chrono>
+#include <cstddef>
 #include <mutex>
-#include <string>
 #include <thread>
 
 namespace latchwork::compare {
 
-std::optional<RunRecord> MakeRun(const PlannedRun& run, const RunCommand& command,
+using namespace std::chrono_literals;
+
+constexpr auto kLookAround = 50ms;  // For `stop`, while a run lasts.
+
+std::optional<RunRecord> MakeRun(ForkServer& server, const Task& task,
                                  const std::atomic<bool>& stop) {
-  std::vector<std::string> arguments = command.launch.arguments;
-  arguments.insert(arguments.end(), run.arguments.begin(), run.arguments.end());
-  arguments.insert(arguments.end(), {"--json", "--quiet"});
-  const process::ChildResult child =
-      process::RunChild(command.launch.program, arguments, command.limits, stop);
-  if (child.end == process::ChildResult::End::kStopped) return std::nullopt;
-  return Judge(run, child);
+  server.Begin(task);
+  while (!stop) {
+    if (auto record = server.Wait(kLookAround)) return record;
+  }
+  server.End();
+  return std::nullopt;
 }
 
 void MakeRuns(const std::vector<PlannedRun>& runs, const QueueOptions& options,
@@ -23,10 +27,11 @@ void MakeRuns(const std::vector<PlannedRun>& runs, const QueueOptions& options,
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   const auto work = [&] {
+    ForkServer server(options.launch);
     while (!stop) {
       const std::size_t index = next++;
       if (index >= runs.size()) return;
-      const auto record = MakeRun(runs[index], options.command, stop);
+      const auto record = MakeRun(server, {runs[index], options.limits}, stop);
       if (!record) return;
       const std::lock_guard lock(mutex);
       if (!options.on_done(*record)) stop = true;

@@ -3,28 +3,22 @@
 #define LATCHWORK_APPS_COMPARE_RUNS_RUN_QUEUE_H_
 
 #include <atomic>
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>
 
-#include "apps/compare/runs/launch.h"
-#include "apps/compare/runs/run_record.h"
+#include "apps/compare/runs/fork_server.h"
 
 namespace latchwork::compare {
 
-/// How runs are made.
-struct RunCommand {
-  Launch launch;
-  RunLimits limits;
-};
-
-/// One run, in a process of its own. Nothing when it was cut off because `stop` was set.
-std::optional<RunRecord> MakeRun(const PlannedRun& run, const RunCommand& command,
+/// One run, in a process of its own. Nothing when it was cut off because `stop` was set: then the
+/// server is ended too.
+std::optional<RunRecord> MakeRun(ForkServer& server, const Task& task,
                                  const std::atomic<bool>& stop);
 
 struct QueueOptions {
-  RunCommand command;
+  Launch launch;
+  RunLimits limits;
   unsigned jobs = 1;
   /// Told of each run that ended, one at a time; false ends the work.
   std::function<bool(const RunRecord& record)> on_done;

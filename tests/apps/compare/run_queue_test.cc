@@ -12,6 +12,7 @@
 
 #include "apps/compare/folder/result_folder.h"
 #include "apps/compare/storage/run_log.h"
+#include "tests/apps/compare/stand_in.h"
 #include "tests/temporary_folder.h"
 
 namespace latchwork::compare {
@@ -26,19 +27,13 @@ Experiment TwoAgents(std::uint64_t seeds) {
   return experiment;
 }
 
-/// The seed comes back as the time of the run: its own record, not that of a neighbour.
-const RunCommand kStandIn = {
-    {"/bin/sh",
-     {"-c", R"(printf '{"outcome":"reached","measures":{"time_s":%s}}' "$4")", "latchwork"}},
-    {}};
-
 TEST(RunQueueTest, ManyRunsAtATime_NoneIsLostOrMadeTwice) {
   const test::TemporaryFolder scratch;
   const Experiment experiment = TwoAgents(100);
   ResultFolder folder(experiment, scratch.path());
   std::multiset<RunKey> ended;
   QueueOptions queue;
-  queue.command = kStandIn;
+  queue.launch = StandIn();
   queue.jobs = 4;
   queue.on_done = [&](const RunRecord& record) {
     ended.insert(record.key);
@@ -61,7 +56,7 @@ TEST(RunQueueTest, WhoeverKeepsTheRuns_EndsTheWork) {
   const Experiment experiment = TwoAgents(100);
   std::size_t told = 0;
   QueueOptions queue;
-  queue.command = kStandIn;
+  queue.launch = StandIn();
   queue.on_done = [&](const RunRecord& /*record*/) { return ++told < 3; };
   std::atomic<bool> stop = false;
   MakeRuns(PlanRuns(experiment), queue, stop);

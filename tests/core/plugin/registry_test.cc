@@ -211,8 +211,9 @@ TEST(RegistryTest, List_IsInTheOrderOfTheSearchPathAndThenOfNames) {
   const Registry registry({kFaults});
   std::vector<std::string> names;
   for (const PluginEntry& entry : registry.List()) names.push_back(entry.name);
-  EXPECT_THAT(names, ElementsAre("bad_facts", "forgetful", "hangs", "inconsistent", "over_budget",
-                                 "returns_nan", "silent", "throws", "wrong_abi"));
+  EXPECT_THAT(names, ElementsAre("bad_facts", "ends", "ends_on_loading", "forgetful", "hangs",
+                                 "inconsistent", "over_budget", "returns_nan", "silent",
+                                 "starts_a_thread", "throws", "wrong_abi"));
 }
 
 }  // namespace

@@ -2,9 +2,15 @@
 #include "core/process/child_process.h"
 
 #include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/resource.h>
 
 #include <atomic>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <stdexcept>
 #include <string>
 
 namespace latchwork::process {
@@ -76,6 +82,52 @@ TEST(ChildProcessTest, InputThatNobodyReads_IsDropped) {
   const ChildResult result = RunChild("/bin/true", {}, {}, stop, std::string(3'000'000, 'x'));
   EXPECT_EQ(result.end, End::kExited);
   EXPECT_EQ(result.code, 0);
+}
+
+ChildResult Copy(const std::function<int()>& work, const Limits& limits = {}) {
+  const std::atomic<bool> stop = false;
+  return RunForked(work, limits, stop);
+}
+
+TEST(ForkedRunTest, OutputErrorsAndCode_AreThoseOfTheWork) {
+  const ChildResult result = Copy([] {
+    std::fputs("out", stdout);
+    std::fputs("err", stderr);
+    return 3;
+  });
+  EXPECT_EQ(result.end, End::kExited);
+  EXPECT_EQ(result.code, 3);
+  EXPECT_EQ(result.output, "out");
+  EXPECT_EQ(result.errors, "err");
+}
+
+TEST(ForkedRunTest, Memory_IsItsOwn) {
+  int value = 1;
+  EXPECT_EQ(Copy([&] { return value = 7; }).code, 7);
+  EXPECT_EQ(value, 1);
+}
+
+TEST(ForkedRunTest, Crash_EndsTheCopyAlone) {
+  EXPECT_EQ(Copy([]() -> int { std::abort(); }).code, SIGABRT);
+  EXPECT_EQ(Copy([]() -> int { throw std::runtime_error("out"); }).end, End::kSignalled);
+}
+
+TEST(ForkedRunTest, WallTime_EndsIt) {
+  const auto forever = []() -> int {
+    while (true) sched_yield();
+  };
+  EXPECT_EQ(Copy(forever, {0.05, 4096}).end, End::kTimedOut);
+  const std::atomic<bool> stop = true;
+  EXPECT_EQ(RunForked(forever, {}, stop).end, End::kStopped);
+}
+
+TEST(ForkedRunTest, AddressSpace_IsLimited) {
+  const auto is_as_given = [] {
+    rlimit limit{};
+    getrlimit(RLIMIT_AS, &limit);
+    return limit.rlim_cur == rlim_t{1234} << 20U ? 1 : 0;
+  };
+  EXPECT_EQ(Copy(is_as_given, {10, 1234}).code, 1);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/compare/dispatch/task.h"
+#include "apps/compare/runs/task.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LATCHWORK_APPS_COMPARE_DISPATCH_TASK_H_
-#define LATCHWORK_APPS_COMPARE_DISPATCH_TASK_H_
+#ifndef LATCHWORK_APPS_COMPARE_RUNS_TASK_H_
+#define LATCHWORK_APPS_COMPARE_RUNS_TASK_H_
 
 #include <optional>
 #include <string>
@@ -22,4 +22,4 @@ std::optional<Task> TaskFromText(std::string_view text);
 
 }  // namespace latchwork::compare
 
-#endif  // LATCHWORK_APPS_COMPARE_DISPATCH_TASK_H_
+#endif  // LATCHWORK_APPS_COMPARE_RUNS_TASK_H_
