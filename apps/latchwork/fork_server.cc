@@ -42,7 +42,7 @@ std::ptrdiff_t CountThreads() {
 
 /// Begins anew without a library: the way back to one thread. The server has said that it is ready
 /// and goes on reading where it was.
-void StartWithout(const Libraries& libraries, const Context& context) {
+[[noreturn]] void StartWithout(const Libraries& libraries, const Context& context) {
   std::vector<std::string> words = {context.executable.string()};
   const auto add = [&](const char* option, const Libraries& paths) {
     for (const std::filesystem::path& path : paths) {
@@ -57,6 +57,7 @@ void StartWithout(const Libraries& libraries, const Context& context) {
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   execv(pointers.front(), pointers.data());
+  _exit(kInternalError);
 }
 
 /// A library that starts threads when it is loaded is left to the runs: only a process with one

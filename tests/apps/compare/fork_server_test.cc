@@ -6,9 +6,11 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 
+#include "apps/compare/report/floor_plan.h"
 #include "apps/compare/runs/run_queue.h"
 #include "tests/apps/compare/stand_in.h"
 
@@ -16,7 +18,6 @@ namespace latchwork::compare {
 namespace {
 
 using namespace std::chrono_literals;
-using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
 Task TaskOf(std::uint64_t seed) {
@@ -80,6 +81,17 @@ TEST(ForkServerTest, Stop_EndsRunAndServer) {
   const std::atomic<bool> stop = true;
   EXPECT_EQ(MakeRun(server, TaskOf(1), stop), std::nullopt);
   EXPECT_FALSE(server.is_busy());
+}
+
+TEST(ForkServerTest, Stop_EndsTheDrawingOfPlans) {
+  Experiment experiment;
+  experiment.scenarios = {{"floor", "floor.xml"}};
+  experiment.contenders = {{"one", {}, {}}, {"other", {}, {}}};
+  const Launch drawing = StandIn("read -r task; cat >/dev/null");
+  const std::atomic<bool> stop = true;
+  EXPECT_TRUE(DrawBuildings(experiment, drawing, stop).empty());
+  const std::atomic<bool> go_on = false;
+  EXPECT_EQ(DrawBuildings(experiment, StandIn(), go_on).count("floor"), 1U);
 }
 
 TEST(ForkServerTest, RunThatLasts_IsWaitedForAgain) {
