@@ -6,9 +6,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -115,6 +117,29 @@ TEST_F(CheckProofTest, DefinitionsOfLargeFormulas_AreVerified) {
   EXPECT_THAT(proof, HasSubstr("introduced(definition"));
   const CommandResult result = Check(proof);
   EXPECT_EQ(result.exit_code, kVerified) << result.err;
+}
+
+TEST_F(CheckProofTest, ManyDefinitions_AreBroughtInAFewAtATime) {
+  std::string problem;
+  std::string choices;
+  for (int i = 0; i < 30; ++i) {
+    problem += fmt::format("fof(a{0}, axiom, p{0} | q{0}).\n", i);
+    choices += fmt::format("{1}(p{0} | (q{0} & ~ r{0}) | (q{0} & r{0}))", i, i == 0 ? "" : " & ");
+  }
+  const std::string proof = Prove(problem + "fof(c, conjecture, " + choices + ").\n");
+  static const std::regex kNormalize(R"(inference\(normalize,\[status\(thm\)\],\[(.*)\]\))");
+  std::size_t most = 0;
+  for (std::sregex_iterator each(proof.begin(), proof.end(), kNormalize), end; each != end;
+       ++each) {
+    const std::string parents = (*each)[1];
+    most = std::max(most,
+                    1 + static_cast<std::size_t>(std::count(parents.begin(), parents.end(), ',')));
+  }
+  EXPECT_GT(most, 2U) << proof;
+  EXPECT_LE(most, 9U) << proof;
+  const CommandResult result = Check(proof);
+  EXPECT_EQ(result.exit_code, kVerified) << result.err;
+  EXPECT_EQ(Check(Replaced(proof, ",definition_7", "")).exit_code, kRejected);
 }
 
 TEST_F(CheckProofTest, ConjunctsOfAnAxiom_AreShownOneByOne) {

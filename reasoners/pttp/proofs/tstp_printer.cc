@@ -18,6 +18,9 @@ using logic::Role;
 using logic::Symbol;
 
 constexpr std::size_t kAllConjectures = ClauseOrigins::kNone;
+/// That one step to a normal form brings in, where it can be done in steps; and how many steps.
+constexpr std::size_t kMostNames = 8;
+constexpr std::size_t kMostStages = 16;
 
 std::set<Symbol> PredicatesOf(const Formula& formula) {
   std::set<Symbol> predicates;
@@ -186,18 +189,49 @@ std::string TstpPrinter::NormalForm(std::size_t index) {
   std::string& name = normal_forms_[index];
   if (!name.empty()) return name;
   const ClauseOrigins::NormalForm& form = sources_.origins.normal_forms[index];
-  std::vector<std::string> parents;
-  if (form.definition != ClauseOrigins::kNone) {
-    parents.push_back(Definition(form.definition));
-  } else {
-    parents.push_back(FormulaParent(form.formula));
-    for (const std::size_t each : DefinitionsOf(PredicatesOf(form.normal))) {
-      parents.push_back(Definition(each));
-    }
-  }
+  std::vector<std::string> parents{form.definition == ClauseOrigins::kNone
+                                       ? FormulaParent(form.formula)
+                                       : Definition(form.definition)};
+  if (form.definition == ClauseOrigins::kNone) AddNames(form, parents);
   name = Line("fof", "normal_form", "plain", ToString(form.normal, form.normal_names),
               Inference("normalize", "thm", parents));
   return name;
+}
+
+void TstpPrinter::AddNames(const ClauseOrigins::NormalForm& form,
+                           std::vector<std::string>& parents) {
+  std::vector<std::string> all;
+  AddDefinitionsOf(PredicatesOf(form.normal), all);
+  const auto stages = all.size() > kMostNames ? StagesOf(form) : std::nullopt;
+  if (!stages) {
+    parents.insert(parents.end(), all.begin(), all.end());
+    return;
+  }
+  const std::size_t most = std::max(kMostNames, all.size() / kMostStages);
+  Symbols predicates;
+  for (std::size_t i = stages->parts().size(); i-- > 0;) {
+    Symbols next = predicates;
+    next.merge(PredicatesOf(stages->parts()[i]));
+    if (!predicates.empty() && DefinitionsOf(next).size() > most) {
+      AddDefinitionsOf(predicates, parents);
+      parents = {Line("fof", "normal_form", "plain",
+                      ToString(stages->Stage(i + 1), form.normal_names),
+                      Inference("normalize", "thm", parents))};
+      next = PredicatesOf(stages->parts()[i]);
+    }
+    predicates = std::move(next);
+  }
+  AddDefinitionsOf(predicates, parents);
+}
+
+void TstpPrinter::AddDefinitionsOf(const Symbols& predicates, std::vector<std::string>& parents) {
+  for (const std::size_t each : DefinitionsOf(predicates)) parents.push_back(Definition(each));
+}
+
+std::optional<NamingStages> TstpPrinter::StagesOf(const ClauseOrigins::NormalForm& form) const {
+  if (form.formula == ClauseOrigins::kNone) return std::nullopt;
+  const AnnotatedFormula& formula = sources_.formulas[form.formula];
+  return NamingStages::Of(formula.formula, formula.role != Role::kConjecture, form.normal);
 }
 
 std::vector<std::string> TstpPrinter::ParentsOf(const Clause& clause, std::size_t index) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include "latchwork/logic/clause.h"
 #include "latchwork/logic/clause_origins.h"
 #include "latchwork/logic/formula.h"
+#include "reasoners/pttp/proofs/naming_stages.h"
 
 namespace latchwork::pttp {
 
@@ -59,6 +61,11 @@ class TstpPrinter {
   std::string NegatedConjecture(std::size_t index);
   std::string Definition(std::size_t index);
   std::string NormalForm(std::size_t index);
+  /// Parents of a normal form besides the formula. Where it has many names and it can be done,
+  /// steps before it bring in a few of them at a time; the last one then replaces the formula.
+  void AddNames(const logic::ClauseOrigins::NormalForm& form, std::vector<std::string>& parents);
+  void AddDefinitionsOf(const Symbols& predicates, std::vector<std::string>& parents);
+  std::optional<NamingStages> StagesOf(const logic::ClauseOrigins::NormalForm& form) const;
   std::string Skolemized(std::size_t index);
   std::string FormulaParent(std::size_t index);
   /// Of the names among the predicates and, in turn, in their definitions.
