@@ -61,6 +61,26 @@ TEST_F(ProveTest, Conjecture_IsTheoremOrCounterSatisfiable) {
   EXPECT_EQ(refuted.out, "% SZS status CounterSatisfiable for problem.p\n");
 }
 
+TEST_F(ProveTest, RealsThatWouldBeRounded_ProveNothing) {
+  for (const std::string_view conjecture :
+       {"$sum(0.1, 0.2) != 0.3", "$greater($sum(0.1, 0.2), 0.3)", "$sum(0.1, 0.2) = 0.3",
+        "$product($quotient(1.0, 3.0), 3.0) = 1.0", "$quotient(1, 3) != $quotient(1.0, 3.0)",
+        "$sum(9007199254740992.0, 1.0) = 9007199254740992.0"}) {
+    const CommandResult result = Prove("tff(c, conjecture, " + std::string(conjecture) + ").");
+    EXPECT_EQ(result.out, "% SZS status GaveUp for problem.p\n") << conjecture;
+  }
+}
+
+TEST_F(ProveTest, RealsThatAreExact_AreComputed) {
+  for (const std::string_view conjecture :
+       {"$sum(0.5, 0.25) = 0.75", "$less(0.1, 0.2)", "0.1 != 0.2", "$product(1.5, -2.0) = -3.0",
+        "$difference(1.25, 0.25) = 1.0", "$quotient(1.5, 2.0) = 0.75", "$floor(0.1) = 0.0",
+        "$to_real(3) = 3.0"}) {
+    const CommandResult result = Prove("tff(c, conjecture, " + std::string(conjecture) + ").");
+    EXPECT_EQ(result.out, "% SZS status Theorem for problem.p\n") << conjecture;
+  }
+}
+
 TEST_F(ProveTest, Clauses_AreUnsatisfiableOrSatisfiable) {
   const CommandResult proved = Prove("cnf(a, axiom, p(X)). cnf(b, negated_conjecture, ~ p(a)).");
   EXPECT_EQ(proved.exit_code, 0);

@@ -11,7 +11,7 @@ namespace latchwork::pttp {
 Engine::Engine(logic::SymbolTable& symbols, const EngineOptions& options)
     : options_(options),
       arithmetic_(symbols),
-      functors_(arithmetic_),
+      functors_(arithmetic_, options.reals),
       predicates_(arithmetic_, symbols.Intern("=")),
       facts_(predicates_, functors_),
       compiler_(predicates_, functors_, symbols.Intern("=")),

@@ -41,6 +41,8 @@ struct EngineOptions {
   bool cache_attachments = true;
   bool tables = true;
   bool states = true;
+  /// Other than kRounded goes without `tables` and `states`, which compute with doubles.
+  Reals reals = Reals::kRounded;
 };
 
 /// How many proofs of a query are wanted.

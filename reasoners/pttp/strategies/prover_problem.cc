@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "latchwork/logic/clausify.h"
+#include "reasoners/pttp/terms/exact_reals.h"
 #include "reasoners/pttp/theory/equality_axioms.h"
 
 namespace latchwork::pttp {
@@ -18,7 +19,15 @@ struct Meaning {
   bool equality = false;
   bool arithmetic = false;
   bool distinct = false;
+  bool reals = false;
+  bool rounded_numeral = false;
 };
+
+void LookAtNumber(const Term& number, Meaning& meaning) {
+  if (number.kind() != Term::Kind::kReal) return;
+  meaning.reals = true;
+  meaning.rounded_numeral = meaning.rounded_numeral || !IsExactNumeral(number.real());
+}
 
 void Look(const Term& term, Meaning& meaning) {
   std::vector<const Term*> visits{&term};
@@ -28,11 +37,13 @@ void Look(const Term& term, Meaning& meaning) {
     if (current.is_variable()) continue;
     if (current.is_number()) {
       meaning.arithmetic = true;
+      LookAtNumber(current, meaning);
       continue;
     }
     const logic::Symbol symbol = current.symbol();
     meaning.distinct = meaning.distinct || symbol.kind() == logic::SymbolKind::kDistinctObject;
     meaning.arithmetic = meaning.arithmetic || symbol.name().starts_with('$');
+    meaning.reals = meaning.reals || symbol.name() == "$quotient" || symbol.name() == "$to_real";
     for (const Term& argument : current.arguments()) visits.push_back(&argument);
   }
 }
@@ -58,6 +69,7 @@ ProverProblem::ProverProblem(const std::vector<logic::AnnotatedFormula>& formula
   Meaning meaning;
   for (const Clause& clause : clauses) Look(clause, meaning);
   has_arithmetic = meaning.arithmetic;
+  if (meaning.reals) reals = meaning.rounded_numeral ? Reals::kGiven : Reals::kExact;
   has_fixed_meaning = meaning.arithmetic || meaning.distinct;
   std::vector<Clause> axioms = EqualityAxioms(clauses, {}, symbols);
   has_equality = !axioms.empty();

@@ -10,6 +10,7 @@
 #include "latchwork/logic/clause_origins.h"
 #include "latchwork/logic/formula.h"
 #include "latchwork/logic/symbol.h"
+#include "reasoners/pttp/terms/functors.h"
 
 namespace latchwork::pttp {
 
@@ -31,6 +32,7 @@ struct ProverProblem {
   bool mentions_equality = false;
   bool has_equality = false;       ///< Some clause concludes an equation.
   bool has_arithmetic = false;     ///< An interpreted function or predicate, a number.
+  Reals reals = Reals::kRounded;   ///< As it stands only where no real number can occur.
   bool has_fixed_meaning = false;  ///< That, or a distinct object: a model must respect it.
 };
 

@@ -134,7 +134,10 @@ class StrategyRun {
   }
 
   StrategyEnd RunEngine() {
-    Engine engine(symbols_, {});
+    EngineOptions engine_options;
+    engine_options.reals = problem_.reals;
+    engine_options.tables = engine_options.states = problem_.reals == Reals::kRounded;
+    Engine engine(symbols_, engine_options);
     const auto clauses = problem_.for_engine();
     engine.SetTheory({clauses.begin(), clauses.end()}, {});
     sdk::Budget budget = options_.budget;

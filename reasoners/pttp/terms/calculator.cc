@@ -8,6 +8,8 @@
 #include <limits>
 #include <span>
 
+#include "reasoners/pttp/terms/exact_reals.h"
+
 namespace latchwork::pttp {
 namespace {
 
@@ -43,6 +45,18 @@ bool IsFlat(Word word) {
   if (TagOf(word) != Tag::kCompound) return false;
   const Word* block = AddressOf(word);
   return std::all_of(block + 1, block + 1 + ArityOf(block[0]), IsNumber);
+}
+
+bool MayApply(Reals reals, logic::Arithmetic::Function function, const Number* numbers,
+              std::size_t arity) {
+  switch (reals) {
+    case Reals::kExact:
+      return IsExact(function, numbers, arity);
+    case Reals::kGiven:
+      return AllowsRoundedNumerals(function, numbers, arity);
+    default:
+      return true;
+  }
 }
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -128,6 +142,7 @@ std::optional<Word> Calculator::Rebuild(const Word* block, const Word* arguments
     Numbers numbers;
     Number value;
     if (!ReadNumbers(arguments, arity, numbers)) return std::nullopt;
+    if (!MayApply(functors_->reals(), *function, numbers.data(), arity)) return std::nullopt;
     if (!Apply(*function, numbers.data(), arity, value)) return std::nullopt;
     return Box(value, *heap_);
   }

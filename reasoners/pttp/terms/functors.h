@@ -15,11 +15,19 @@
 
 namespace latchwork::pttp {
 
+/// What arithmetic on reals may do.
+enum class Reals : std::uint8_t {
+  kRounded,  ///< Round as IEEE doubles do: what a robot computes with.
+  kExact,    ///< Where a result would be rounded there is no value: what a proof is made of.
+  kGiven,    ///< The same, and some numeral was rounded when it was read: no sums and products.
+};
+
 /// Numbers the constants and functions (name and arity) that the engine has met, and turns terms
 /// into words and back.
 class Functors {
  public:
-  explicit Functors(const logic::Arithmetic& arithmetic) : arithmetic_(&arithmetic) {}
+  Functors(const logic::Arithmetic& arithmetic, Reals reals)
+      : arithmetic_(&arithmetic), reals_(reals) {}
 
   struct Functor {
     logic::Symbol symbol;
@@ -28,6 +36,7 @@ class Functors {
   };
 
   std::uint32_t Number(logic::Symbol symbol, std::size_t arity);
+  Reals reals() const { return reals_; }
   const Functor& operator[](std::uint32_t number) const { return functors_[number]; }
 
   /// Copies a term into the arena. Its variables become slots; ground compounds are plain, others
@@ -38,6 +47,7 @@ class Functors {
 
  private:
   const logic::Arithmetic* arithmetic_;
+  Reals reals_;
   std::vector<Functor> functors_;
   std::vector<std::uint32_t> constants_;  ///< By symbol index; kNone when not met.
   std::unordered_map<std::uint64_t, std::uint32_t> compounds_;
