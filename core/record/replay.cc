@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <string>
 #include <utility>
 
 #include "core/record/frame_rows.h"
@@ -12,6 +13,17 @@
 namespace latchwork::record {
 
 using Notice = std::function<void(std::uint64_t ticks)>;
+
+namespace {
+
+/// Whether the recorded run ended here because an observer said so, a person perhaps.
+bool WasStopped(const JournalFrame& frame) {
+  static const std::string kStopped =
+      fmt::format(R"({{"end":{{"outcome":"{}")", Name(schedule::RunResult::State::kStopped));
+  return frame.kind == JournalFrame::Kind::kEnd && frame.json.starts_with(kStopped);
+}
+
+}  // namespace
 
 /// Reads one frame ahead, to end the run in time.
 class ReplayObserver::Implementation {
@@ -30,7 +42,7 @@ class ReplayObserver::Implementation {
     ++ticks_;
     if (notice_) notice_(ticks_);
     next_ = journal_.Next();
-    return next_.has_value();
+    return next_.has_value() && !WasStopped(*next_);
   }
 
   void End(const schedule::RunResult& result) {
