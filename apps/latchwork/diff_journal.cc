@@ -136,16 +136,16 @@ JournalReport DiffJournal(const std::filesystem::path& journal,
     return report;
   }
   const record::JournalHeader& header = *reader.header();
-  FinishedRun run;
-  run.request.agent_file = header.agent_file;
-  if (!header.scenario.empty()) run.request.scenario = header.scenario;
-  run.request.seed = header.seed;
-  run.request.ticks = header.max_ticks;
-  run.request.overrides = header.overrides;
-  auto agent = PrepareAgent(run.request, registry, symbols, run);
+  RunRequest request;
+  request.agent_file = header.agent_file;
+  if (!header.scenario.empty()) request.scenario = header.scenario;
+  request.seed = header.seed;
+  request.ticks = header.max_ticks;
+  request.overrides = header.overrides;
+  auto [agent, diagnostics, exit_code] = PrepareAgent(request, registry, symbols);
   if (!agent) {
-    report.errors = run.errors;
-    report.exit_code = run.exit_code;
+    report.errors = logic::Format(diagnostics);
+    report.exit_code = exit_code;
     return report;
   }
   Comparison comparison(*agent, contenders, symbols, report);

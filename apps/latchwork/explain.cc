@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -133,6 +135,15 @@ class Interview : public schedule::RunObserver {
   bool lacks_reasons_ = false;  ///< Of the decision at hand.
 };
 
+bool HasLayer(const schedule::Agent& agent, const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& layer : agent.description.layers) names.push_back(layer.name);
+  if (name.empty() || std::ranges::find(names, name) != names.end()) return true;
+  fmt::print(stderr, "latchwork: --layer: there is no layer '{}'; {}'s are {}\n", name,
+             agent.description.name, fmt::join(names, ", "));
+  return false;
+}
+
 int Explain(const ExplainOptions& options, const Context& context) {
   const plugin::Registry registry(
       plugin::MakeSearchPath(context.plugin_folders, context.executable));
@@ -151,22 +162,27 @@ int Explain(const ExplainOptions& options, const Context& context) {
   if (!options.scenario.empty()) request.scenario = options.scenario;
   request.seed = options.seed;
   request.overrides = ParseSettings(options.settings);
-  FinishedRun run;
-  std::optional<schedule::Agent> agent = PrepareAgent(request, registry, symbols, run);
+  auto [agent, diagnostics, exit_code] = PrepareAgent(request, registry, symbols);
   if (!agent) {
-    fmt::print(stderr, "{}", run.errors);
-    return run.exit_code;
+    fmt::print(stderr, "{}", logic::Format(diagnostics));
+    return exit_code;
   }
+  if (!HasLayer(*agent, options.layer)) return kUsage;
   Interview interview(options, *agent, std::move(why_not));
   schedule::LockstepOptions lockstep_options;
   lockstep_options.observers.push_back(&interview);
   lockstep_options.max_ticks = options.tick + 1;
   schedule::Lockstep lockstep(std::move(*agent), lockstep_options);
-  lockstep.Run();
+  const schedule::RunResult result = lockstep.Run();
   fmt::print("{}", interview.text());
   if (!interview.text().empty()) return kDone;
-  fmt::print(stderr, "no layer {}decides at tick {}\n",
-             options.layer.empty() ? "" : "'" + options.layer + "' ", options.tick);
+  if (result.ticks < options.tick) {
+    fmt::print(stderr, "there is no tick {}: the run ends after {} ticks ({})\n", options.tick,
+               result.ticks, result.message);
+  } else {
+    fmt::print(stderr, "no layer {}decides at tick {}\n",
+               options.layer.empty() ? "" : "'" + options.layer + "' ", options.tick);
+  }
   return kGoalNotReached;
 }
 
@@ -176,11 +192,13 @@ void AddExplain(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("explain", "Say why the layers decided as they did");
   auto options = std::make_shared<ExplainOptions>();
   command->add_option("AGENT", options->agent, "Agent file (XML)")->required();
-  command->add_option("--tick", options->tick, "The tick to explain (default 0)");
+  command->add_option("--tick", options->tick, "The tick to explain (default 0)")
+      ->check(WholeNumber());
   command->add_option("--layer", options->layer, "Only this layer");
   command->add_option("--why-not", options->why_not,
                       "An atom, with variables perhaps: why no layer concludes it, as 'fwd(X)'");
-  command->add_option("--seed", options->seed, "Of everything random in the world (default 1)");
+  command->add_option("--seed", options->seed, "Of everything random in the world (default 1)")
+      ->check(WholeNumber());
   command->add_option("--scenario", options->scenario,
                       "Fragment file whose overrides and events come on top");
   command->add_option("--set", options->settings, "PART.NAME=VALUE, as in world.people=4")

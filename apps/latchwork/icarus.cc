@@ -2,43 +2,22 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <system_error>
+#include <optional>
+#include <string>
 
 #include "apps/latchwork/icarus_command.h"
-#include "reasoners/icarus/language/reader.h"
+#include "apps/latchwork/input_text.h"
+#include "latchwork/logic/diagnostic.h"
 
 namespace latchwork::app {
-namespace {
-
-std::string ReadStream(std::istream& stream) {
-  std::string text;
-  std::array<char, 1U << 16U> buffer{};
-  while (text.size() <= icarus::kMaxProgramBytes) {
-    stream.read(buffer.data(), buffer.size());
-    if (stream.gcount() == 0) break;
-    text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
-  }
-  return text;
-}
-
-}  // namespace
 
 std::optional<std::string> ReadProgramText(const std::string& file) {
-  if (file == "-") return ReadStream(std::cin);
-  std::error_code error;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file, error)) {
-    fmt::print(stderr, "{}: error: the file cannot be read\n", file);
-    return std::nullopt;
-  }
-  return ReadStream(stream);
+  logic::Diagnostics diagnostics;
+  std::optional<std::string> text = ReadInputText(file, diagnostics);
+  fmt::print(stderr, "{}", logic::Format(diagnostics));
+  return text;
 }
 
 void PrintFindings(const std::string& file, const icarus::Findings& findings) {

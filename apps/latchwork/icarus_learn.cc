@@ -98,7 +98,8 @@ class Trainer {
   }
 
   std::optional<double> Run(const RunRequest& request) {
-    const FinishedRun run = RunAgent(request, registry_, [](std::uint64_t, std::uint64_t) {});
+    const FinishedRun run =
+        RunAgent(request, registry_, [](std::uint64_t, std::uint64_t) { return true; });
     if (!run.began) {
       fmt::print(stderr, "{}", run.errors);
       exit_code_ = run.exit_code;
@@ -163,7 +164,7 @@ void AddOptions(CLI::App& command, Settings& settings) {
   command.add_flag("--fresh", settings.fresh, "Forget what the file of values holds");
   command.add_option("--episodes", settings.episodes, "Runs to learn from");
   command.add_option("--trials", settings.trials, "Runs to compare, each with and without values")
-      ->check(CLI::PositiveNumber);
+      ->check(WholeNumber(1));
   command.add_option("--measure", settings.measure, "The measure of the world that is compared");
   command.add_option("--seed", settings.seed, "Of the first trial");
   command.add_option("--set", settings.settings, "PART.NAME=VALUE, in the trials")

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -12,10 +13,10 @@ namespace {
 
 constexpr std::size_t kMostBytes = 256U << 20U;
 
-std::string ReadStream(std::istream& stream) {
+std::string ReadStream(std::istream& stream, std::size_t most) {
   std::string text;
   std::array<char, 1U << 16U> buffer{};
-  while (text.size() <= kMostBytes) {
+  while (text.size() <= most) {
     stream.read(buffer.data(), buffer.size());
     if (stream.gcount() == 0) break;
     text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
@@ -25,6 +26,12 @@ std::string ReadStream(std::istream& stream) {
 
 }  // namespace
 
+std::optional<std::string> ReadStandardInput(std::size_t most) {
+  std::string text = ReadStream(std::cin, most);
+  if (std::ferror(stdin) != 0) return std::nullopt;
+  return text;
+}
+
 std::optional<std::string> ReadInputText(const std::string& name, logic::Diagnostics& diagnostics) {
   std::error_code error;
   std::ifstream stream;
@@ -33,8 +40,12 @@ std::optional<std::string> ReadInputText(const std::string& name, logic::Diagnos
     diagnostics.push_back({{name, 0, 0}, "the file cannot be read", "", ""});
     return std::nullopt;
   }
-  std::string text = ReadStream(name == "-" ? std::cin : stream);
-  if (text.size() <= kMostBytes) return text;
+  const auto text = name == "-" ? ReadStandardInput(kMostBytes) : ReadStream(stream, kMostBytes);
+  if (!text) {
+    diagnostics.push_back({{name, 0, 0}, std::string(kInputUnreadable), "", ""});
+    return std::nullopt;
+  }
+  if (text->size() <= kMostBytes) return text;
   diagnostics.push_back({{name, 0, 0}, "the file is larger than 256 MiB", "", ""});
   return std::nullopt;
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "apps/latchwork/command.h"
+#include "apps/latchwork/standard_streams.h"
 #include "latchwork/logic/diagnostic.h"
 
 namespace latchwork::app {
@@ -35,17 +36,21 @@ std::vector<std::string> SubcommandNames(const CLI::App& app) {
 
 int ReportUsage(const CLI::App& app, const CLI::ParseError& error,
                 const std::vector<std::string>& words) {
-  fmt::print(stderr, "latchwork: {}\n", error.what());
-  const std::vector<std::string> names = SubcommandNames(app);
-  if (words.size() > 1 && app.get_subcommands().empty() && !words[1].starts_with('-')) {
-    const std::string_view nearest = logic::NearestName(words[1], names);
-    if (!nearest.empty()) {
-      fmt::print(stderr, "  there is no command '{}'; did you mean '{}'?\n", words[1], nearest);
-    }
+  std::string path;
+  const CLI::App* chosen = &app;
+  while (!chosen->get_subcommands().empty()) {
+    chosen = chosen->get_subcommands().front();
+    path += chosen->get_name() + ' ';
   }
-  const auto chosen = app.get_subcommands();
-  fmt::print(stderr, "  see: latchwork {}--help\n",
-             chosen.empty() ? "" : chosen.front()->get_name() + " ");
+  if (words.size() > 1 && chosen == &app && !words[1].starts_with('-')) {
+    fmt::print(stderr, "latchwork: there is no command '{}'\n", words[1]);
+    const std::vector<std::string> names = SubcommandNames(app);
+    const std::string_view nearest = logic::NearestName(words[1], names);
+    if (!nearest.empty()) fmt::print(stderr, "  did you mean '{}'?\n", nearest);
+  } else {
+    fmt::print(stderr, "latchwork: {}\n", error.what());
+  }
+  fmt::print(stderr, "  see: latchwork {}--help\n", path);
   return kUsage;
 }
 
@@ -89,8 +94,10 @@ int Parse(const std::vector<std::string>& words, Context& context) {
 
 int Execute(const std::vector<std::string>& words, Context& context) {
   try {
-    return Parse(words, context);
+    const int code = Parse(words, context);
+    return OutputIsWhole() ? code : kInternalError;
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0 && !OutputIsWhole()) return kInternalError;
     std::fprintf(stderr, "latchwork: internal error: %s\n", error.what());
   } catch (...) {
     std::fputs("latchwork: internal error\n", stderr);
@@ -102,6 +109,7 @@ int Execute(const std::vector<std::string>& words, Context& context) {
 }  // namespace latchwork::app
 
 int main(int argc, char** argv) {
+  latchwork::app::ReserveStandardStreams();
   latchwork::app::Context context;
   context.executable = latchwork::app::ExecutablePath(argv[0]);
   context.execute = latchwork::app::Execute;

@@ -57,7 +57,8 @@ int RefuseInput(const ProveSettings& settings, const logic::TptpFile& input, Pro
   limits.Release();
   const std::string& file = settings.input.file;
   std::error_code error;
-  const bool exists = file == "-" || std::filesystem::is_regular_file(file, error);
+  const bool exists =
+      file == "-" ? std::ferror(stdin) == 0 : std::filesystem::is_regular_file(file, error);
   fmt::print(stderr, "{}", Format(input.diagnostics));
   fmt::print("% SZS status {} for {}\n", exists ? "SyntaxError" : "InputError", file);
   return kInvalidInput;

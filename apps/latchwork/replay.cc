@@ -55,13 +55,14 @@ int Refuse(const record::JournalReader& journal) {
   return kInvalidInput;
 }
 
-int ReportPreparation(const FinishedRun& run, const ReplayOptions& options) {
-  fmt::print(stderr, "{}", run.errors);
+int ReportPreparation(const PreparedAgent& prepared, const RunRequest& request,
+                      const ReplayOptions& options) {
+  fmt::print(stderr, "{}", logic::Format(prepared.diagnostics));
   if (options.agent.empty()) {
     fmt::print(stderr, "{}: its run was that of {}; give another agent file with --agent\n",
-               options.journal.string(), run.request.agent_file.string());
+               options.journal.string(), request.agent_file.string());
   }
-  return run.exit_code;
+  return prepared.exit_code;
 }
 
 int Report(const record::ReplayResult& result, const record::JournalReader& journal) {
@@ -78,22 +79,20 @@ int Report(const record::ReplayResult& result, const record::JournalReader& jour
 int Replay(const ReplayOptions& options, const Context& context) {
   record::JournalReader journal(options.journal);
   if (!journal.header()) return Refuse(journal);
-  FinishedRun run;
-  run.request = MakeRequest(*journal.header(), options);
+  const RunRequest request = MakeRequest(*journal.header(), options);
   const plugin::Registry registry(
       plugin::MakeSearchPath(context.plugin_folders, context.executable));
   logic::SymbolTable symbols;
-  std::optional<schedule::Agent> agent = PrepareAgent(run.request, registry, symbols, run);
-  if (!agent) return ReportPreparation(run, options);
-  const record::JournalHeader now =
-      record::MakeHeader(*agent, registry, run.request.overrides, run.request.scenario.value_or(""),
-                         run.request.ticks);
+  PreparedAgent prepared = PrepareAgent(request, registry, symbols);
+  if (!prepared.agent) return ReportPreparation(prepared, request, options);
+  const record::JournalHeader now = record::MakeHeader(
+      *prepared.agent, registry, request.overrides, request.scenario.value_or(""), request.ticks);
   for (const std::string& difference : record::Differences(*journal.header(), now)) {
     fmt::print(stderr, "note: {}\n", difference);
   }
   Progress progress("replay", options.quiet);
   const record::ReplayResult result = record::Replay(
-      journal, std::move(*agent), options.threads,
+      journal, *std::move(prepared.agent), options.threads,
       [&](std::uint64_t ticks) { progress.Update(ticks, journal.header()->max_ticks); });
   return Report(result, journal);
 }

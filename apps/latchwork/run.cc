@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -19,6 +20,7 @@
 #include <vector>
 
 #include "apps/latchwork/command.h"
+#include "apps/latchwork/interruption.h"
 #include "apps/latchwork/progress.h"
 #include "apps/latchwork/run_agent.h"
 #include "apps/latchwork/run_json.h"
@@ -61,6 +63,27 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> ParseSeeds(std::string_vi
   return std::pair(*first, *last);
 }
 
+constexpr std::uint64_t kMostRuns = 1'000'000;
+
+void RefuseTooMany(const RunOptions& options, std::pair<std::uint64_t, std::uint64_t> seeds) {
+  const std::uint64_t most = kMostRuns / options.agents.size();
+  if (seeds.second - seeds.first < most) return;
+  throw CLI::ValidationError(
+      "--seeds", fmt::format("{} asks for more than {} runs", options.seeds, kMostRuns));
+}
+
+/// The results of two agent files would go to one folder.
+void RefuseSameNames(const RunOptions& options) {
+  std::set<std::string> names;
+  for (const std::filesystem::path& agent : options.agents) {
+    if (names.insert(agent.stem().string()).second || options.out.empty()) continue;
+    throw CLI::ValidationError(
+        "--out", fmt::format("two agent files are called '{}'; run them one at a time, each into "
+                             "its own folder",
+                             agent.stem().string()));
+  }
+}
+
 /// Throws CLI::ValidationError for values that have not their documented shape.
 std::vector<RunRequest> MakeRequests(const RunOptions& options) {
   RunRequest request;
@@ -73,15 +96,18 @@ std::vector<RunRequest> MakeRequests(const RunOptions& options) {
   if (!seeds) {
     throw CLI::ValidationError("--seeds", "'" + options.seeds + "' is not FIRST-LAST, as in 1-30");
   }
+  RefuseTooMany(options, *seeds);
+  RefuseSameNames(options);
   const bool single = options.agents.size() == 1 && seeds->first == seeds->second;
   std::vector<RunRequest> requests;
   for (const std::filesystem::path& agent : options.agents) {
-    for (std::uint64_t seed = seeds->first; seed <= seeds->second; ++seed) {
+    for (std::uint64_t offset = 0; offset <= seeds->second - seeds->first; ++offset) {
       request.agent_file = agent;
-      request.seed = seed;
+      request.seed = seeds->first + offset;
       if (!options.out.empty()) {
-        request.out = single ? options.out
-                             : options.out / fmt::format("{}-seed{}", agent.stem().string(), seed);
+        request.out =
+            single ? options.out
+                   : options.out / fmt::format("{}-seed{}", agent.stem().string(), request.seed);
       }
       requests.push_back(request);
     }
@@ -89,19 +115,22 @@ std::vector<RunRequest> MakeRequests(const RunOptions& options) {
   return requests;
 }
 
-/// Runs them all, `jobs` at a time; results come in the order of the requests.
+/// Runs them all, `jobs` at a time; results come in the order of the requests. When it is
+/// interrupted, what runs is stopped and what is left is not begun.
 std::vector<FinishedRun> RunAll(const std::vector<RunRequest>& requests,
                                 const plugin::Registry& registry, const RunOptions& options) {
   std::vector<FinishedRun> finished(requests.size());
   std::atomic<std::size_t> next{0};
   std::size_t done = 0;
   std::mutex mutex;
+  const std::atomic<bool>& interrupted = WatchForInterruption();
   Progress progress(requests.size() == 1 ? "run" : "runs", options.quiet);
   const auto work = [&] {
-    for (std::size_t i = next++; i < requests.size(); i = next++) {
+    for (std::size_t i = next++; i < requests.size() && !interrupted; i = next++) {
       FinishedRun run =
           RunAgent(requests[i], registry, [&](std::uint64_t tick, std::uint64_t total) {
             if (requests.size() == 1) progress.Update(tick, total);
+            return !interrupted;
           });
       const std::scoped_lock lock(mutex);
       finished[i] = std::move(run);
@@ -112,11 +141,16 @@ std::vector<FinishedRun> RunAll(const std::vector<RunRequest>& requests,
   for (unsigned job = 1; job < options.jobs; ++job) workers.emplace_back(work);
   work();
   workers.clear();
+  std::erase_if(finished, [](const FinishedRun& run) { return !run.began && run.errors.empty(); });
+  if (finished.size() < requests.size()) {
+    fmt::print(stderr, "stopped: {} of {} runs were begun\n", finished.size(), requests.size());
+  }
   return finished;
 }
 
 /// The gravest exit code: what could not run comes before what ran and did not reach its goal.
 int ExitCodeOf(const std::vector<FinishedRun>& runs) {
+  if (runs.empty()) return kGoalNotReached;
   return std::max_element(
              runs.begin(), runs.end(),
              [](const FinishedRun& a, const FinishedRun& b) { return a.exit_code < b.exit_code; })
@@ -144,6 +178,8 @@ void Print(const std::vector<FinishedRun>& runs, const RunOptions& options) {
   PrintErrors(runs);
   if (options.json) {
     fmt::print("{}\n", ToJson(runs));
+  } else if (runs.empty()) {
+    return;
   } else if (runs.size() == 1) {
     PrintSingle(runs.front());
   } else {
@@ -171,7 +207,8 @@ void Run(const RunOptions& options, Context& context) {
 
 void AddOptions(CLI::App& command, RunOptions& options) {
   command.add_option("AGENT", options.agents, "Agent file (XML); several make a table")->required();
-  command.add_option("--seed", options.seed, "Of everything random in the world (default 1)");
+  command.add_option("--seed", options.seed, "Of everything random in the world (default 1)")
+      ->check(WholeNumber());
   command.add_option("--seeds", options.seeds, "FIRST-LAST: run every seed and print a table")
       ->excludes("--seed");
   command.add_option("--scenario", options.scenario,
@@ -179,12 +216,14 @@ void AddOptions(CLI::App& command, RunOptions& options) {
   command
       .add_option("--ticks", options.ticks,
                   "Stop after so many ticks instead of the agent's duration")
-      ->check(CLI::PositiveNumber);
+      ->check(WholeNumber(1));
   command
       .add_option("--set", options.settings, "PART.NAME=VALUE: a parameter, as in world.people=4")
       ->allow_extra_args(false);
-  command.add_option("--out", options.out,
-                     "Folder for the journal, the summary and a picture of every floor");
+  command
+      .add_option("--out", options.out,
+                  "Folder for the journal, the summary and a picture of every floor")
+      ->check(NotEmpty());
   command
       .add_option("--threads", options.threads,
                   "Threads that decide the layers of one run (same result)")

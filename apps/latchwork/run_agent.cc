@@ -7,10 +7,12 @@
 #include <exception>
 #include <fstream>
 #include <memory>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "apps/latchwork/command.h"
+#include "apps/latchwork/out_folder.h"
 #include "apps/latchwork/run_json.h"
 #include "apps/latchwork/trajectory.h"
 #include "latchwork/logic/diagnostic.h"
@@ -21,6 +23,8 @@
 
 namespace latchwork::app {
 namespace {
+
+constexpr std::string_view kSummaryFile = "summary.json";
 
 /// Keeps the first fault of each layer and kind, all events and the way, and tells how far the run
 /// has come.
@@ -35,8 +39,7 @@ class RunWatch : public schedule::RunObserver {
       run_.events.push_back({record.tick, logic::ToString(event.fact), event.problem});
     }
     trajectory_.Add(record.sensors);
-    notice_(record.tick + 1, total_);
-    return true;
+    return notice_(record.tick + 1, total_);
   }
 
   void OnEnd(const schedule::RunResult& /*result*/) override {
@@ -61,33 +64,41 @@ int ExitCodeOf(schedule::RunResult::State state) {
   return state == schedule::RunResult::State::kReached ? kDone : kGoalNotReached;
 }
 
-bool MakeFolder(const std::filesystem::path& folder, FinishedRun& run) {
+/// What was cut short, by a full disk for instance, is told and removed.
+void Account(std::filesystem::path file, bool whole, FinishedRun& run) {
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!error) return true;
-  run.errors =
-      fmt::format("latchwork: cannot make the folder {}: {}\n", folder.string(), error.message());
-  run.exit_code = kUsage;
-  return false;
+  if (whole && std::filesystem::file_size(file, error) > 0 && !error) {
+    run.written.push_back(std::move(file));
+    return;
+  }
+  std::filesystem::remove(file, error);
+  run.errors += fmt::format("latchwork: cannot write {}\n", file.string());
+  run.exit_code = std::max<int>(run.exit_code, kInternalError);
 }
 
-void WriteFile(const std::filesystem::path& file, const std::string& text, FinishedRun& run) {
+void WriteSummary(const std::filesystem::path& file, FinishedRun& run) {
   std::ofstream stream(file, std::ios::binary);
-  stream << text;
+  stream << ToJson({run}) << '\n';
   stream.close();
-  if (stream) {
-    run.written.push_back(file);
-  } else {
-    run.errors += fmt::format("latchwork: cannot write {}\n", file.string());
+  Account(file, static_cast<bool>(stream), run);
+}
+
+void WriteResults(const RunRequest& request, const sdk::World& world, FinishedRun& run) {
+  WriteSummary(request.out / kSummaryFile, run);
+  try {
+    for (std::filesystem::path& picture : world.Draw(request.out)) {
+      Account(std::move(picture), true, run);
+    }
+  } catch (const std::exception& problem) {
+    run.errors += fmt::format("latchwork: the pictures are not complete: {}\n", problem.what());
     run.exit_code = std::max<int>(run.exit_code, kInternalError);
   }
 }
 
-void WriteResults(const RunRequest& request, const sdk::World& world, FinishedRun& run) {
-  WriteFile(request.out / "summary.json", ToJson({run}) + "\n", run);
-  for (std::filesystem::path& picture : world.Draw(request.out)) {
-    run.written.push_back(std::move(picture));
-  }
+/// A summary tells of what the journal beside it holds, never of an earlier run.
+void RemoveOldSummary(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::remove(folder / kSummaryFile, error);
 }
 
 /// A run without its journal is still a run; what is missing is told.
@@ -119,25 +130,21 @@ std::vector<std::filesystem::path> LibrariesOf(const config::AgentDescription& a
 
 }  // namespace
 
-std::optional<schedule::Agent> PrepareAgent(const RunRequest& request,
-                                            const plugin::Registry& registry,
-                                            logic::SymbolTable& symbols, FinishedRun& run) {
+PreparedAgent PrepareAgent(const RunRequest& request, const plugin::Registry& registry,
+                           logic::SymbolTable& symbols) {
   std::vector<std::filesystem::path> fragments;
   if (request.scenario) fragments.push_back(*request.scenario);
   config::AgentFile file = config::ReadAgentFile(
       request.agent_file, schedule::MakeCatalog(registry), request.overrides, symbols, fragments);
   if (!file.agent) {
-    run.errors = logic::Format(file.diagnostics);
-    run.exit_code = file.plugin_failure ? kPluginFailure : kInvalidInput;
-    return std::nullopt;
+    return {std::nullopt, std::move(file.diagnostics),
+            file.plugin_failure ? kPluginFailure : kInvalidInput};
   }
   schedule::AssembledAgent assembled = schedule::AssembleAgent(
       std::move(*file.agent), schedule::MakePartFactory(registry), symbols, request.seed);
-  if (!assembled.agent) {
-    run.errors = logic::Format(assembled.diagnostics);
-    run.exit_code = assembled.plugin_failure ? kPluginFailure : kInvalidInput;
-  }
-  return std::move(assembled.agent);
+  const int problem = assembled.plugin_failure ? kPluginFailure : kInvalidInput;
+  const int exit_code = assembled.agent ? kDone : problem;
+  return {std::move(assembled.agent), std::move(assembled.diagnostics), exit_code};
 }
 
 FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry,
@@ -145,10 +152,18 @@ FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry
   FinishedRun run;
   run.request = request;
   logic::SymbolTable symbols;
-  std::optional<schedule::Agent> agent = PrepareAgent(request, registry, symbols, run);
-  if (!agent) return run;
-  if (!request.out.empty() && !MakeFolder(request.out, run)) return run;
-
+  auto [agent, diagnostics, exit_code] = PrepareAgent(request, registry, symbols);
+  if (!agent) {
+    run.errors = logic::Format(diagnostics);
+    run.exit_code = exit_code;
+    return run;
+  }
+  std::optional<OutFolder> folder;
+  if (!request.out.empty() && !folder.emplace(request.out).problem().empty()) {
+    run.errors = fmt::format("latchwork: {}\n", folder->problem());
+    run.exit_code = kUsage;
+    return run;
+  }
   run.agent_name = agent->description.name;
   run.libraries = LibrariesOf(agent->description, registry);
   run.duration_s = static_cast<double>(request.ticks.value_or(agent->description.max_ticks)) *
@@ -161,7 +176,8 @@ FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry
   options.observers.push_back(&watch);
   const std::filesystem::path journal_file = request.out / "run.journal";
   std::unique_ptr<record::JournalWriter> journal;
-  if (!request.out.empty()) {
+  if (folder) {
+    RemoveOldSummary(request.out);
     const record::JournalHeader header = record::MakeHeader(
         *agent, registry, request.overrides, request.scenario.value_or(""), request.ticks);
     journal = std::make_unique<record::JournalWriter>(journal_file, header, *agent);

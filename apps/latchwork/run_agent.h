@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "latchwork/config/agent.h"
+#include "latchwork/logic/diagnostic.h"
 #include "latchwork/logic/symbol.h"
 #include "latchwork/plugin/registry.h"
 #include "latchwork/schedule/agent.h"
@@ -53,14 +54,19 @@ struct FinishedRun {
   bool began = false;
 };
 
-/// Reads, checks and assembles the agent of a request. Nothing when anything is wrong: `run` then
-/// carries errors and exit code. `symbols` outlives the agent.
-std::optional<schedule::Agent> PrepareAgent(const RunRequest& request,
-                                            const plugin::Registry& registry,
-                                            logic::SymbolTable& symbols, FinishedRun& run);
+/// An agent that can run, or all that is wrong with it.
+struct PreparedAgent {
+  std::optional<schedule::Agent> agent;
+  logic::Diagnostics diagnostics;
+  int exit_code = 0;
+};
 
-/// Told after every tick: ticks done and in all.
-using TickNotice = std::function<void(std::uint64_t done, std::uint64_t total)>;
+/// Reads, checks and assembles the agent of a request. `symbols` outlives it.
+PreparedAgent PrepareAgent(const RunRequest& request, const plugin::Registry& registry,
+                           logic::SymbolTable& symbols);
+
+/// Told after every tick: ticks done and in all. The run stops when it returns false.
+using TickNotice = std::function<bool(std::uint64_t done, std::uint64_t total)>;
 
 /// Reads, checks, assembles and runs, and writes what the run leaves behind.
 FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry,

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/latchwork/settings.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
 namespace latchwork::app {
 namespace {
@@ -31,6 +35,27 @@ std::vector<config::Override> ParseSettings(const std::vector<std::string>& sett
     overrides.push_back(*parsed);
   }
   return overrides;
+}
+
+CLI::Validator WholeNumber(std::uint64_t least, std::uint64_t most) {
+  const auto problem = [least, most](const std::string& text) -> std::string {
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_number = !text.empty() && end == text.data() + text.size();
+    if (is_number && error == std::errc() && number >= least && number <= most) return "";
+    if (most == std::numeric_limits<std::uint64_t>::max() && error == std::errc()) {
+      return fmt::format("'{}' is not a whole number, {} or more", text, least);
+    }
+    return fmt::format("'{}' is not a whole number from {} to {}", text, least, most);
+  };
+  return CLI::Validator(problem, "");
+}
+
+CLI::Validator NotEmpty() {
+  const auto problem = [](const std::string& text) -> std::string {
+    return text.empty() ? "the name is empty" : "";
+  };
+  return CLI::Validator(problem, "");
 }
 
 }  // namespace latchwork::app

@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/latchwork/tptp_input.h"
 
-#include <array>
 #include <cstdlib>
-#include <iostream>
+#include <string>
+
+#include "apps/latchwork/input_text.h"
 
 namespace latchwork::app {
 namespace {
 
-/// Standard input up to one byte more than may be read, so that the reader refuses what is larger.
-std::string ReadStandardInput(std::size_t max_bytes) {
-  std::string text;
-  std::array<char, 1U << 16U> buffer{};
-  while (text.size() <= max_bytes) {
-    std::cin.read(buffer.data(), buffer.size());
-    if (std::cin.gcount() == 0) break;
-    text.append(buffer.data(), static_cast<std::size_t>(std::cin.gcount()));
-  }
-  return text;
+logic::TptpFile Unreadable() {
+  logic::TptpFile file;
+  file.diagnostics.push_back({{"-", 0, 0}, std::string(kInputUnreadable), "", ""});
+  return file;
 }
 
 }  // namespace
@@ -37,7 +32,8 @@ logic::TptpFile Read(const TptpInput& input, logic::SymbolTable& symbols, Keep k
   const char* const root = std::getenv("TPTP");
   if (input.folder.empty() && root != nullptr) options.include_root = root;
   if (input.file != "-") return logic::ReadTptpFile(input.file, symbols, options);
-  return logic::ReadTptp(ReadStandardInput(options.max_bytes), "-", symbols, options);
+  const auto text = ReadStandardInput(options.max_bytes);
+  return text ? logic::ReadTptp(*text, "-", symbols, options) : Unreadable();
 }
 
 }  // namespace latchwork::app
