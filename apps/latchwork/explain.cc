@@ -77,6 +77,7 @@ class Interview : public schedule::RunObserver {
     for (std::size_t i = 0; i < decision.assumptions.size(); ++i) {
       SayWhy(decision.assumptions[i], reasoner.ExplainAssumption(i), record.layer);
     }
+    SayAlike();
     if (why_not_) {
       const auto explanation = reasoner.WhyNot(*why_not_);
       lacks_reasons_ = lacks_reasons_ || !explanation;
@@ -90,6 +91,9 @@ class Interview : public schedule::RunObserver {
   void SayWhy(const sdk::Assumption& assumption, const std::optional<sdk::Explanation>& explanation,
               std::size_t layer) {
     const std::string what = fmt::format("assumption, {}", sdk::Name(assumption.state));
+    if (explanation && !options_.json && IsBare(*explanation)) {
+      return Gather(what, assumption.atom);
+    }
     if (explanation) return Say(*explanation, layer, what);
     lacks_reasons_ = true;
     const std::string atom = logic::ToString(assumption.atom);
@@ -97,6 +101,39 @@ class Interview : public schedule::RunObserver {
     if (options_.json) return Say(sdk::Explanation{atom, holds, {}, {}}, layer, what);
     Say(fmt::format("{}: {} was {}proved, for reasons that are not kept\n", what, atom,
                     holds ? "" : "not "));
+  }
+
+  /// Nothing comes near to concluding it: of such defaults there may be hundreds.
+  static bool IsBare(const sdk::Explanation& explanation) {
+    return !explanation.holds && explanation.misses.empty() && explanation.derivation.steps.empty();
+  }
+
+  void Gather(const std::string& what, const logic::Fact& atom) {
+    const std::string_view predicate = atom.predicate().name();
+    auto group = std::ranges::find_if(alike_, [&](const Alike& each) {
+      return each.what == what && each.predicate == predicate;
+    });
+    if (group == alike_.end()) {
+      group = alike_.insert(alike_.end(), {what, std::string(predicate), 0, ""});
+    }
+    if (group->count < kShown) {
+      group->shown += (group->count == 0 ? "" : ", ") + logic::ToString(atom);
+    }
+    ++group->count;
+  }
+
+  void SayAlike() {
+    for (const Alike& group : alike_) {
+      if (group.count <= kShown) {
+        Say(fmt::format("{}: nothing concludes {}, nor could\n", group.what, group.shown));
+      } else {
+        Say(
+            fmt::format("{}: nothing concludes any of {} instances of {}, nor could: {} and so on "
+                        "(--json lists all)\n",
+                        group.what, group.count, group.predicate, group.shown));
+      }
+    }
+    alike_.clear();
   }
 
   void SayWhoKeepsReasons(const config::LayerDescription& layer) {
@@ -127,10 +164,20 @@ class Interview : public schedule::RunObserver {
     }
   }
 
+  static constexpr std::size_t kShown = 3;
+  /// Defaults of one predicate and state with nothing to be said of any of them.
+  struct Alike {
+    std::string what;
+    std::string predicate;
+    std::size_t count;
+    std::string shown;  ///< The first of them.
+  };
+
   const ExplainOptions& options_;
   std::optional<logic::Atom> why_not_;
   std::vector<config::LayerDescription> layers_;
   std::vector<std::shared_ptr<sdk::Reasoner>> reasoners_;
+  std::vector<Alike> alike_;
   std::string text_;
   bool lacks_reasons_ = false;  ///< Of the decision at hand.
 };

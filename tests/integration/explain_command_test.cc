@@ -37,6 +37,16 @@ TEST(ExplainCommandTest, Circumscription_SaysHowAndWhatWasAssumedAndWhy) {
   EXPECT_THAT(result.out, HasSubstr("why not: nothing concludes halt_robot"));
 }
 
+TEST(ExplainCommandTest, DefaultsThatNothingComesNear_AreSummedUp) {
+  std::vector<std::string> arguments = {"--tick", "40", "--layer", "itinerary"};
+  arguments.insert(arguments.end(), kCircumscribed.begin(), kCircumscribed.end());
+  const CommandResult result = Explain(arguments);
+  EXPECT_THAT(result.out, ::testing::ContainsRegex(
+                              "assumption, made: nothing concludes any of [0-9]+ instances of "
+                              "door_shut, nor could: door_shut\\("));
+  EXPECT_THAT(result.out, ::testing::Not(HasSubstr("nothing concludes door_shut")));
+}
+
 TEST(ExplainCommandTest, Json_IsAnObjectALine) {
   std::vector<std::string> arguments = {"--tick", "40", "--json"};
   arguments.insert(arguments.end(), kCircumscribed.begin(), kCircumscribed.end());
