@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -16,6 +15,7 @@
 #include "apps/compare/runs/run_queue.h"
 #include "apps/compare/statistics/sample_size.h"
 #include "apps/latchwork/command.h"
+#include "apps/latchwork/interruption.h"
 #include "apps/latchwork/progress.h"
 #include "latchwork/logic/diagnostic.h"
 
@@ -43,9 +43,6 @@ struct CompareOptions {
 /// A task of an array should last for a minute or more: starting one takes seconds.
 constexpr std::size_t kUsualShards = 16;
 
-std::atomic<bool> interrupted = false;
-void Interrupt(int /*signal*/) { interrupted = true; }
-
 /// "2/4". Throws CLI::ValidationError for what has not that shape.
 compare::Shard ParseShard(const std::string& text) {
   std::size_t index = 0;
@@ -60,7 +57,7 @@ compare::Shard ParseShard(const std::string& text) {
 }
 
 void MakeMissing(const Experiment& experiment, const CompareOptions& options,
-                 const Context& context, ResultFolder& folder) {
+                 const Context& context, std::atomic<bool>& interrupted, ResultFolder& folder) {
   const std::vector<PlannedRun> missing = folder.Missing(ParseShard(options.shard));
   Progress progress("runs", options.quiet);
   std::size_t done = 0;
@@ -72,8 +69,6 @@ void MakeMissing(const Experiment& experiment, const CompareOptions& options,
     progress.Update(++done, missing.size());
     return folder.Keep(record);
   };
-  std::signal(SIGINT, Interrupt);
-  std::signal(SIGTERM, Interrupt);
   MakeRuns(missing, queue, interrupted);
 }
 
@@ -100,10 +95,11 @@ void ShowPlan(const Experiment& experiment) {
 
 int RunExperiment(const Experiment& experiment, const CompareOptions& options,
                   const Context& context) {
+  std::atomic<bool>& interrupted = WatchForInterruption();
   ResultFolder folder(experiment, options.out);
   for (const std::filesystem::path& other : options.merge) folder.TakeOver(other);
   if (folder.trouble().kind == Trouble::Kind::kNone) {
-    MakeMissing(experiment, options, context, folder);
+    MakeMissing(experiment, options, context, interrupted, folder);
   }
   const std::string report = folder.WriteResults(
       {compare::LaunchOf(context.executable, context.plugin_folders),

@@ -16,7 +16,7 @@ void Interrupt(int signal) {
 
 }  // namespace
 
-const std::atomic<bool>& WatchForInterruption() {
+std::atomic<bool>& WatchForInterruption() {
   std::signal(SIGINT, Interrupt);
   std::signal(SIGTERM, Interrupt);
   return interrupted;

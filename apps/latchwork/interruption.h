@@ -8,7 +8,7 @@ namespace latchwork::app {
 
 /// From now on SIGINT and SIGTERM only set what is returned, so that work can end in order and keep
 /// what it has; the second of them ends the process.
-const std::atomic<bool>& WatchForInterruption();
+std::atomic<bool>& WatchForInterruption();
 
 }  // namespace latchwork::app
 
