@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -11,15 +12,16 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "apps/compare/statistics/bootstrap.h"
 #include "apps/latchwork/icarus_command.h"
 #include "apps/latchwork/progress.h"
 #include "apps/latchwork/run_agent.h"
 #include "apps/latchwork/settings.h"
 #include "latchwork/plugin/plugin_search.h"
 #include "latchwork/plugin/registry.h"
-#include "reasoners/icarus/learning/comparison.h"
 
 namespace latchwork::app {
 namespace {
@@ -34,6 +36,7 @@ struct Settings {
   std::uint64_t seed = 1;
   std::vector<std::string> settings;
   std::vector<std::string> training;
+  std::vector<std::string> reference;
   bool fresh = false;
 };
 
@@ -62,13 +65,18 @@ class Trainer {
     return true;
   }
 
-  /// The measure in each trial, with the values that were learned or without.
-  std::optional<std::vector<double>> Try(bool learned) {
-    Progress progress(learned ? "learned" : "unlearned", false);
+  enum class Choice : std::uint8_t { kUnlearned, kLearned, kReference };
+
+  /// The measure in each trial.
+  std::optional<std::vector<double>> Try(Choice choice) {
+    static constexpr std::array<const char*, 3> kNames = {"unlearned", "learned", "reference"};
+    Progress progress(kNames.at(static_cast<std::size_t>(choice)), false);
     std::vector<double> measures;
     for (std::uint64_t i = 0; i < settings_.trials; ++i) {
-      RunRequest request = Request(settings_.seed + i, settings_.settings);
-      if (learned) {
+      RunRequest request =
+          Request(settings_.seed + i,
+                  choice == Choice::kReference ? settings_.reference : std::vector<std::string>());
+      if (choice == Choice::kLearned) {
         Add(request, "acts", "value");
         Add(request, "values", Values());
       }
@@ -85,11 +93,13 @@ class Trainer {
  private:
   std::string Values() const { return std::filesystem::absolute(settings_.values).string(); }
 
+  /// With the settings of all runs, and these, which override them.
   RunRequest Request(std::uint64_t seed, const std::vector<std::string>& settings) const {
     RunRequest request;
     request.agent_file = settings_.agent;
     request.seed = seed;
-    request.overrides = ParseSettings(settings);
+    request.overrides = ParseSettings(settings_.settings);
+    for (const auto& more : ParseSettings(settings)) request.overrides.push_back(more);
     return request;
   }
 
@@ -125,22 +135,62 @@ double Mean(const std::vector<double>& numbers) {
   return numbers.empty() ? 0 : sum / static_cast<double>(numbers.size());
 }
 
-/// Whether the learned choice is the better one beyond doubt.
-bool Report(const Settings& settings, const std::vector<double>& learned,
-            const std::vector<double>& unlearned) {
+struct Measures {
+  std::vector<double> unlearned;
+  std::vector<double> learned;
+  std::vector<double> reference;  ///< Empty: there is none.
+};
+
+struct Gain {
+  compare::Interval interval;
+  std::size_t better = 0;  ///< Trials.
+};
+
+Gain GainOver(const std::vector<double>& learned, const std::vector<double>& other,
+              std::uint64_t seed) {
+  Gain gain;
   std::vector<double> gains;
-  std::size_t better = 0;
   for (std::size_t i = 0; i < learned.size(); ++i) {
-    gains.push_back(learned[i] - unlearned[i]);
-    if (gains.back() > 0) ++better;
+    gains.push_back(learned[i] - other[i]);
+    if (gains.back() > 0) ++gain.better;
   }
-  const icarus::Interval gain = icarus::BootstrapInterval(gains, settings.seed);
+  gain.interval = compare::BootstrapInterval(gains, seed);
+  return gain;
+}
+
+void PrintGain(const char* name, const Gain& gain, std::size_t trials) {
+  fmt::print("  {:<11}{:.3f}, 95 % interval {:.3f} to {:.3f}; better in {} of {} trials\n", name,
+             gain.interval.mean, gain.interval.low, gain.interval.high, gain.better, trials);
+}
+
+/// Whether the learned choice is the better one beyond doubt.
+bool Report(const Settings& settings, const Measures& measures) {
+  const std::vector<double>& learned = measures.learned;
+  const Gain gain = GainOver(learned, measures.unlearned, settings.seed);
   fmt::print("{} over {} trials, after {} episodes\n", settings.measure, settings.trials,
              settings.episodes);
-  fmt::print("  unlearned  {:.3f}\n  learned    {:.3f}\n", Mean(unlearned), Mean(learned));
-  fmt::print("  gain       {:.3f}, 95 % interval {:.3f} to {:.3f}; better in {} of {} trials\n",
-             gain.mean, gain.low, gain.high, better, learned.size());
-  return gain.low > 0;
+  fmt::print("  {:<11}{:.3f}\n  {:<11}{:.3f}\n", "unlearned", Mean(measures.unlearned), "learned",
+             Mean(learned));
+  PrintGain("gain", gain, learned.size());
+  if (!measures.reference.empty()) {
+    fmt::print("  {:<11}{:.3f}\n", "reference", Mean(measures.reference));
+    PrintGain("  to it", GainOver(measures.reference, learned, settings.seed), learned.size());
+  }
+  return gain.interval.low > 0;
+}
+
+std::optional<Measures> TryAll(const Settings& settings, Trainer& trainer) {
+  Measures measures;
+  const auto attempt = [&](Trainer::Choice choice, std::vector<double>& into) {
+    std::optional<std::vector<double>> tried = trainer.Try(choice);
+    if (tried) into = std::move(*tried);
+    return tried.has_value();
+  };
+  const bool tried =
+      attempt(Trainer::Choice::kLearned, measures.learned) &&
+      attempt(Trainer::Choice::kUnlearned, measures.unlearned) &&
+      (settings.reference.empty() || attempt(Trainer::Choice::kReference, measures.reference));
+  return tried ? std::optional(std::move(measures)) : std::nullopt;
 }
 
 int Learn(const Settings& settings, const Context& context) {
@@ -148,11 +198,9 @@ int Learn(const Settings& settings, const Context& context) {
   if (settings.fresh) std::filesystem::remove(settings.values, error);
   Trainer trainer(settings, context);
   if (!trainer.Train()) return trainer.exit_code();
-  const std::optional<std::vector<double>> learned = trainer.Try(true);
-  if (!learned) return trainer.exit_code();
-  const std::optional<std::vector<double>> unlearned = trainer.Try(false);
-  if (!unlearned) return trainer.exit_code();
-  return Report(settings, *learned, *unlearned) ? kDone : kGoalNotReached;
+  const std::optional<Measures> measures = TryAll(settings, trainer);
+  if (!measures) return trainer.exit_code();
+  return Report(settings, *measures) ? kDone : kGoalNotReached;
 }
 
 void AddOptions(CLI::App& command, Settings& settings) {
@@ -167,9 +215,13 @@ void AddOptions(CLI::App& command, Settings& settings) {
       ->check(WholeNumber(1));
   command.add_option("--measure", settings.measure, "The measure of the world that is compared");
   command.add_option("--seed", settings.seed, "Of the first trial");
-  command.add_option("--set", settings.settings, "PART.NAME=VALUE, in the trials")
+  command.add_option("--set", settings.settings, "PART.NAME=VALUE, in all runs")
       ->allow_extra_args(false);
-  command.add_option("--train", settings.training, "PART.NAME=VALUE, in the episodes")
+  command.add_option("--train", settings.training, "PART.NAME=VALUE, in the episodes only")
+      ->allow_extra_args(false);
+  command
+      .add_option("--reference", settings.reference,
+                  "PART.NAME=VALUE, in trials more of the unlearned choice, to compare with")
       ->allow_extra_args(false);
 }
 

@@ -113,35 +113,72 @@ void ValueLearner::Reward(double reward) {
 
 void ValueLearner::EndEpisode() { Learn(true); }
 
-/// The estimate that stands for all that follows: of the skill on the path that was met least
-/// often, whose parameters say most about the situation.
-double ValueLearner::ValueAfter(const Step& step) const {
-  const auto rarest = std::min_element(
-      step.path.begin(), step.path.end(),
-      [&](std::size_t a, std::size_t b) { return estimates_[a].times < estimates_[b].times; });
-  return rarest == step.path.end() ? options_.initial : estimates_[*rarest].value;
+/// What stands for the situation of a step: of the skills on the path the one that was entered
+/// least often, whose parameters say most; no estimate where nothing was chosen.
+std::size_t ValueLearner::Rarest(const Path& path) const {
+  const auto rarest = std::min_element(path.begin(), path.end(), [&](std::size_t a, std::size_t b) {
+    return estimates_[a].times < estimates_[b].times;
+  });
+  return rarest == path.end() ? estimates_.size() : *rarest;
+}
+
+double ValueLearner::EstimateOf(std::size_t estimate) const {
+  return estimate < estimates_.size() ? estimates_[estimate].value : options_.initial;
+}
+
+/// What follows each skill of `step`. Within a stay in a skill rewards add up; where the stay ends,
+/// what follows is mixed from the estimate for the next step and from what followed that.
+std::vector<double> ValueLearner::Returns(const Step& step, const Path& next_path,
+                                          const std::vector<double>& next_returns,
+                                          double beyond) const {
+  std::vector<double> returns(step.path.size());
+  for (std::size_t i = 0; i < step.path.size(); ++i) {
+    const auto stays = std::find(next_path.begin(), next_path.end(), step.path[i]);
+    const double after = stays == next_path.end()
+                             ? beyond
+                             : next_returns[static_cast<std::size_t>(stays - next_path.begin())];
+    returns[i] = step.reward + options_.discount * after;
+  }
+  return returns;
 }
 
 /// Backwards, so that what came late is credited to what came first; unless the episode has ended
 /// the last step has no reward yet, and stays.
 void ValueLearner::Learn(bool ended) {
   if (steps_.empty()) return;
-  Step last = std::move(steps_.back());
-  double target = ended ? 0 : ValueAfter(last);
-  double after = target;
-  if (ended) {
-    steps_.back() = std::move(last);
-  } else {
-    steps_.pop_back();
+  const std::size_t count = ended ? steps_.size() : steps_.size() - 1;
+  Path next;
+  std::vector<double> returns;
+  double beyond = 0;
+  if (!ended) {
+    next = steps_.back().path;
+    beyond = EstimateOf(Rarest(next));
+    for (const std::size_t estimate : next) returns.push_back(EstimateOf(estimate));
   }
-  for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
-    const double mixed = (1 - options_.trace) * after + options_.trace * target;
-    target = step->reward + options_.discount * mixed;
-    after = ValueAfter(*step);
-    for (const std::size_t estimate : step->path) MoveTowards(estimate, target);
+  for (std::size_t i = count; i-- > 0;) {
+    const Step& step = steps_[i];
+    returns = Returns(step, next, returns, beyond);
+    next = step.path;
+    const std::size_t rarest = Rarest(next);
+    const double estimate = EstimateOf(rarest);
+    const auto at = std::find(next.begin(), next.end(), rarest) - next.begin();
+    const double followed = next.empty() ? step.reward + options_.discount * beyond
+                                         : returns[static_cast<std::size_t>(at)];
+    beyond = (1 - options_.trace) * estimate + options_.trace * followed;
+    CreditEntered(i == 0 ? before_ : steps_[i - 1].path, next, returns);
   }
-  steps_.clear();
-  if (!ended) steps_.push_back(std::move(last));
+  before_ = ended || count == 0 ? Path() : std::move(steps_[count - 1].path);
+  steps_.erase(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+/// A stay in a skill is one choice, however many cycles it lasts: long stays have no more weight
+/// than short ones, and what one of them came to is not counted over and over.
+void ValueLearner::CreditEntered(const Path& before, const Path& path,
+                                 const std::vector<double>& returns) {
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (std::find(before.begin(), before.end(), path[i]) != before.end()) continue;
+    MoveTowards(path[i], returns[i]);
+  }
 }
 
 void ValueLearner::MoveTowards(std::size_t estimate, double target) {

@@ -71,8 +71,9 @@ class ValueLearner : public ValueSource {
     double value = 0;
     std::uint64_t times = 0;
   };
+  using Path = std::vector<std::size_t>;  ///< Estimates; the act's own skill first.
   struct Step {
-    std::vector<std::size_t> path;  ///< Estimates; the act's own skill first.
+    Path path;
     double reward = 0;
   };
 
@@ -83,7 +84,11 @@ class ValueLearner : public ValueSource {
   std::size_t FindOrMake(std::uint32_t skill, std::span<const Value> arguments);
   void Learn(bool ended);
   void MoveTowards(std::size_t estimate, double target);
-  double ValueAfter(const Step& step) const;
+  std::size_t Rarest(const Path& path) const;
+  double EstimateOf(std::size_t estimate) const;
+  std::vector<double> Returns(const Step& step, const Path& next_path,
+                              const std::vector<double>& next_returns, double beyond) const;
+  void CreditEntered(const Path& before, const Path& path, const std::vector<double>& returns);
   bool ReadLine(const SourceTree& tree, FormId form);
   bool ReadArgument(const SourceTree& tree, FormId form, Value& argument);
 
@@ -95,6 +100,7 @@ class ValueLearner : public ValueSource {
   std::vector<Estimate> estimates_;
   std::unordered_multimap<std::uint64_t, std::size_t> places_;  ///< By hash; only looked up in.
   std::vector<Step> steps_;
+  Path before_;  ///< The path of the step before the first of them.
   std::uint64_t cycle_ = 0;
   bool learning_ = true;
   bool exploring_ = false;
