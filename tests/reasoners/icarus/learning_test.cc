@@ -233,7 +233,8 @@ TEST(IcarusLearningTest, Stay_ThatOutlastsTheWindow_IsStillOneChoice) {
 TEST(IcarusLearningTest, WithoutTrace_TheEstimateOfTheNextChoiceStandsForWhatFollows) {
   Traveller traveller(Halving(0));
   Findings findings;
-  traveller.learner.Read("(value (Go road) 7 50) (value (TakeRoad 1) 20 1)", "v", findings);
+  traveller.learner.Read("(value (Go road) 7 9) (value (Walk 1) 3 9) (value (TakeRoad 1) 20 1)",
+                         "v", findings);
   ASSERT_TRUE(findings.empty());
   Wander(traveller, {{0, 2.0}, {1, 4.0}});
   traveller.learner.EndEpisode();
