@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -45,6 +46,12 @@ std::vector<sdk::ParameterSpec> LayerLearning::Parameters() {
       sdk::RealParameter("discount", "0.99", 0, 1, "", "of rewards, per cycle"),
       sdk::RealParameter("trace", "0.95", 0, 1, "",
                          "0: a value rests on the next one; 1: on rewards alone"),
+      {.name = "learned_skills",
+       .type = sdk::ParameterType::kText,
+       .default_value = "",
+       .unit = "",
+       .help = "names of the skills that have learned values, with blanks between; empty: all",
+       .choices = {}},
       sdk::IntegerParameter("exploration_seed", "1", 1, 1e9, "of the random choices")};
 }
 
@@ -55,6 +62,8 @@ LayerLearning::LayerLearning(const sdk::Parameters& parameters)
   options_.rate = parameters.Real("rate");
   options_.discount = parameters.Real("discount");
   options_.trace = parameters.Real("trace");
+  std::istringstream names(parameters.Text("learned_skills"));
+  for (std::string name; names >> name;) options_.skills.push_back(name);
   options_.seed = static_cast<std::uint64_t>(parameters.Integer("exploration_seed"));
 }
 
@@ -75,6 +84,10 @@ LayerLearning::~LayerLearning() {
 logic::Diagnostics LayerLearning::Serve(const Program& program, NamePool& names,
                                         Interpreter& interpreter) {
   if (file_.empty() && !learning_) return {};
+  for (const std::string& name : options_.skills) {
+    if (program.Find(name) != kNoSkill) continue;
+    return {{{}, "learned_skills: the program has no skill '" + name + "'", {}, {}}};
+  }
   std::string known;
   std::error_code error;
   if (learner_ != nullptr) {

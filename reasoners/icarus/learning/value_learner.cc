@@ -31,7 +31,14 @@ std::string NumberText(double number) {
 }  // namespace
 
 ValueLearner::ValueLearner(const Program& program, NamePool& names, const LearningOptions& options)
-    : program_(program), names_(names), options_(options), stream_(options.seed, "icarus.values") {}
+    : program_(program), names_(names), options_(options), stream_(options.seed, "icarus.values") {
+  if (options_.skills.empty()) return;
+  learns_.resize(program.skills.size());
+  for (const std::string& name : options_.skills) {
+    const std::uint32_t skill = program.Find(name);
+    if (skill != kNoSkill) learns_[skill] = true;
+  }
+}
 
 void ValueLearner::SetSeed(std::uint64_t seed) {
   stream_ = sdk::RandomStream(seed, "icarus.values");
@@ -85,7 +92,8 @@ std::size_t ValueLearner::FindOrMake(std::uint32_t skill, std::span<const Value>
   return estimates_.size() - 1;
 }
 
-double ValueLearner::ValueOf(std::uint32_t skill, std::span<const Value> arguments) {
+std::optional<double> ValueLearner::ValueOf(std::uint32_t skill, std::span<const Value> arguments) {
+  if (!Learns(skill)) return std::nullopt;
   const std::uint64_t hash = HashOf(skill, arguments);
   if (exploring_) return stream_.Uniform(cycle_ / options_.hold, hash);
   const std::size_t known = Find(skill, arguments, hash);
@@ -101,7 +109,7 @@ void ValueLearner::Choose(const Act* act) {
   if (!learning_) return;
   Step step;
   for (const PathSkill* at = act == nullptr ? nullptr : act->path; at != nullptr; at = at->caller) {
-    step.path.push_back(FindOrMake(at->skill, at->arguments));
+    if (Learns(at->skill)) step.path.push_back(FindOrMake(at->skill, at->arguments));
   }
   steps_.push_back(std::move(step));
   if (steps_.size() > std::max<std::size_t>(options_.window, 1)) Learn(false);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -26,6 +27,9 @@ struct LearningOptions {
   double initial = 0;         ///< Estimate of what has never been chosen.
   std::size_t window = 4096;  ///< Cycles after which the estimates are brought up to date.
   std::uint64_t seed = 1;
+  /// Names of the skills whose values are learned; empty: of all. The others have none, so that
+  /// among them the order of the program decides, while learning as after it.
+  std::vector<std::string> skills;
 };
 
 /// Learns what it is worth to be in a skill: an estimate of the discounted rewards to come for
@@ -39,7 +43,7 @@ class ValueLearner : public ValueSource {
  public:
   ValueLearner(const Program& program, NamePool& names, const LearningOptions& options);
 
-  double ValueOf(std::uint32_t skill, std::span<const Value> arguments) override;
+  std::optional<double> ValueOf(std::uint32_t skill, std::span<const Value> arguments) override;
 
   /// Before a cycle; decides whether it explores.
   void BeginCycle();
@@ -85,6 +89,7 @@ class ValueLearner : public ValueSource {
   void Learn(bool ended);
   void MoveTowards(std::size_t estimate, double target);
   std::size_t Rarest(const Path& path) const;
+  bool Learns(std::uint32_t skill) const { return learns_.empty() || learns_[skill]; }
   double EstimateOf(std::size_t estimate) const;
   std::vector<double> Returns(const Step& step, const Path& next_path,
                               const std::vector<double>& next_returns, double beyond) const;
@@ -95,6 +100,7 @@ class ValueLearner : public ValueSource {
   const Program& program_;
   NamePool& names_;
   LearningOptions options_;
+  std::vector<bool> learns_;  ///< By skill; empty: all.
   sdk::RandomStream stream_;
   Arena arena_;
   std::vector<Estimate> estimates_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 #include <new>
+#include <optional>
 
 #include "reasoners/icarus/machine/machine.h"
 
@@ -152,7 +153,9 @@ Value Machine::ValueOfSkill(std::uint32_t index, Index base) {
   const SkillCode& skill = code_.skills[index];
   if (skill.has_value) return Evaluate(code_.terms[skill.value], base);
   if (learned_ == nullptr || skill.type == SkillType::kSensor) return {};
-  return Value::Real(learned_->ValueOf(index, {frames_.data() + base, skill.parameters}));
+  const std::optional<double> value =
+      learned_->ValueOf(index, {frames_.data() + base, skill.parameters});
+  return value ? Value::Real(*value) : Value();
 }
 
 double Machine::ValueOfBranch(const Branch& branch) {

@@ -122,7 +122,10 @@ Arena& Arena::operator=(Arena&& other) noexcept {
 /// The blocks that are passed over are too small.
 void* Arena::AllocateInNextBlock(std::size_t bytes) {
   while (used_blocks_ < blocks_.size() && blocks_[used_blocks_].size() < bytes) ++used_blocks_;
-  if (used_blocks_ == blocks_.size()) blocks_.emplace_back(std::max(bytes, block_bytes_));
+  if (used_blocks_ == blocks_.size()) {
+    const std::size_t grown = blocks_.empty() ? kFirstBlock : 2 * blocks_.back().size();
+    blocks_.emplace_back(std::max(bytes, std::min(grown, block_bytes_)));
+  }
   UseBlock();
   left_ -= bytes;
   return std::exchange(next_, next_ + bytes);

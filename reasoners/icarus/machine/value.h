@@ -101,7 +101,8 @@ std::string ToString(const Value& value, const NamePool& names);
 /// Memory that is given back all at once and then used again.
 class Arena {
  public:
-  /// Takes its memory from the system in blocks of this size.
+  /// Takes its memory from the system in blocks, each twice as large as the one before, up to this
+  /// size: what lives for a cycle or two does not pay for what runs for hours.
   explicit Arena(std::size_t block_bytes = 1U << 16U) : block_bytes_(block_bytes) {}
   Arena(Arena&& other) noexcept { *this = std::move(other); }
   Arena& operator=(Arena&& other) noexcept;
@@ -138,6 +139,8 @@ class Arena {
     next_ = blocks_[used_blocks_].data();
     left_ = blocks_[used_blocks_++].size();
   }
+
+  static constexpr std::size_t kFirstBlock = 1U << 10U;
 
   std::size_t block_bytes_ = 0;
   std::vector<std::vector<std::byte>> blocks_;

@@ -3,6 +3,7 @@
 #define LATCHWORK_ICARUS_VALUE_SOURCE_H_
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "reasoners/icarus/machine/value.h"
@@ -13,9 +14,10 @@ namespace latchwork::icarus {
 class ValueSource {
  public:
   virtual ~ValueSource() = default;
-  /// The value of a skill for these arguments; none among them: an unbound parameter. Asked in
-  /// the middle of a cycle, in which it gives the same answer to the same question.
-  virtual double ValueOf(std::uint32_t skill, std::span<const Value> arguments) = 0;
+  /// The value of a skill for these arguments; none among them: an unbound parameter; nothing: the
+  /// skill has no value. Asked in the middle of a cycle, in which it gives the same answer to the
+  /// same question.
+  virtual std::optional<double> ValueOf(std::uint32_t skill, std::span<const Value> arguments) = 0;
 };
 
 }  // namespace latchwork::icarus

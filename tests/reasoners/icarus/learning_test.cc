@@ -241,6 +241,19 @@ TEST(IcarusLearningTest, WithoutTrace_TheEstimateOfTheNextChoiceStandsForWhatFol
   EXPECT_THAT(traveller.learner.Write(), ::testing::HasSubstr("(value (Walk 0) 12 1)"));
 }
 
+TEST(IcarusLearningTest, SkillsThatAreNotNamed_HaveNoValueAndKeepTheirOrder) {
+  LearningOptions options = Exploring();
+  options.exploration = 1;
+  options.skills = {"takeroad", "TakePath"};
+  Traveller traveller(options);
+  traveller.Train(5);
+  EXPECT_THAT(traveller.learner.Write(),
+              ::testing::Not(::testing::ContainsRegex("Rest|Walk|Stay|Go")));
+  const std::array<Value, 1> place = {Value::Integer(0)};
+  EXPECT_FALSE(traveller.learner.ValueOf(traveller.file.program.Find("walk"), place));
+  EXPECT_TRUE(traveller.learner.ValueOf(traveller.file.program.Find("takeroad"), place));
+}
+
 TEST(IcarusLearningTest, ValuesThatFitNothing_AreFindings) {
   Traveller traveller({});
   Findings findings;
