@@ -81,6 +81,21 @@ TEST_F(ProveTest, RealsThatAreExact_AreComputed) {
   }
 }
 
+/// Only the facts of arithmetic themselves are left for others to check.
+TEST_F(ProveTest, ProofsThatCompute_SayWhatWasComputed) {
+  const std::string conjecture =
+      "tff(a, axiom, ![X] : (p(X) => p($sum(X, 1)))). tff(b, axiom, p(1))."
+      "tff(c, conjecture, p(3) & $product(0.5, 4.0) = 2.0).";
+  const CommandResult result = Prove(conjecture, {"--proof"});
+  EXPECT_THAT(result.out, StartsWith("% SZS status Theorem"));
+  EXPECT_THAT(result.out, HasSubstr("$sum(1, 1)"));
+  Write("proof.p", result.out);
+  const CommandResult checked =
+      RunLatchwork({"check-proof", "problem.p", "proof.p"}, scratch_.path());
+  EXPECT_THAT(checked.out, HasSubstr(", 0 rejected,")) << checked.err << result.out;
+  EXPECT_THAT(Prove(conjecture, {"--why"}).out, HasSubstr("arithmetic"));
+}
+
 TEST_F(ProveTest, Clauses_AreUnsatisfiableOrSatisfiable) {
   const CommandResult proved = Prove("cnf(a, axiom, p(X)). cnf(b, negated_conjecture, ~ p(a)).");
   EXPECT_EQ(proved.exit_code, 0);

@@ -34,12 +34,13 @@ void ProofPrinter::Add(const ClauseInstance& instance) {
   if (clause.role == logic::Role::kNegatedConjecture) AddAnswer(instance);
 }
 
-void ProofPrinter::AddTheoryFact(const logic::Literal& literal, std::string_view theory) {
-  const std::string text = ToString(literal);
+void ProofPrinter::AddTheoryFact(const std::vector<logic::Literal>& literals,
+                                 std::string_view theory) {
+  const std::string text = Text(literals);
   if (!known_instances_.insert(text).second) return;
-  premises.push_back({{0, {literal}, {}}, theory});
+  premises.push_back({{0, literals, {}}, theory});
   facts_.push_back(
-      {theory == "equality" ? tstp_.Tautology(text) : tstp_.TheoryFact(text, theory), {literal}});
+      {theory == "equality" ? tstp_.Tautology(text) : tstp_.TheoryFact(text, theory), literals});
 }
 
 void ProofPrinter::AddAnswer(const ClauseInstance& instance) {

@@ -26,8 +26,8 @@ class ProofPrinter {
 
   // A tableau: everything that it consists of, then the end.
   void Add(const ClauseInstance& instance);
-  /// A literal that a built-in theory makes true.
-  void AddTheoryFact(const logic::Literal& literal, std::string_view theory);
+  /// A clause that a built-in theory makes true.
+  void AddTheoryFact(const std::vector<logic::Literal>& literals, std::string_view theory);
   void Finish();
 
   void Print(std::span<const saturation::Step> steps);

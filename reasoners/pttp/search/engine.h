@@ -64,6 +64,7 @@ class Engine final : public Oracles, private sdk::AttachmentContext {
   std::size_t AddSource(std::string name);
   void SetFacts(std::size_t source, std::span<const logic::Fact> facts);
   void AddFact(std::size_t source, const logic::Fact& fact);
+  const logic::Arithmetic& arithmetic() const { return arithmetic_; }
   FactSource& source(std::size_t index) { return facts_.source(index); }
   static constexpr std::size_t kBodySource = 0;
 
