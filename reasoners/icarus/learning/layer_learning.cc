@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reasoners/icarus/learning/layer_learning.h"
 
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -13,6 +14,31 @@
 namespace latchwork::icarus {
 
 namespace {
+
+std::filesystem::path FreshOf(const std::filesystem::path& file) { return file.string() + ".new"; }
+
+/// Whether the file has the new text; else it has the old one.
+bool Replace(const std::filesystem::path& file, const std::string& text) {
+  const std::filesystem::path fresh = FreshOf(file);
+  std::ofstream stream(fresh, std::ios::binary);
+  stream << text;
+  stream.close();
+  std::error_code error;
+  if (stream) {
+    std::filesystem::rename(fresh, file, error);
+    if (!error) return true;
+  }
+  std::filesystem::remove(fresh, error);
+  return false;
+}
+
+bool IsWritable(const std::filesystem::path& file) {
+  const std::filesystem::path fresh = FreshOf(file);
+  const bool is_writable = std::ofstream(fresh, std::ios::binary).is_open();
+  std::error_code error;
+  std::filesystem::remove(fresh, error);
+  return is_writable;
+}
 
 /// The rewards among the facts of the latches.
 double RewardOf(std::span<const sdk::Latch> latches) {
@@ -71,14 +97,12 @@ LayerLearning::~LayerLearning() {
   if (!learning_ || learner_ == nullptr || file_.empty()) return;
   try {
     learner_->EndEpisode();
-    const std::filesystem::path fresh = file_.string() + ".new";
-    std::ofstream(fresh, std::ios::binary) << learner_->Write();
-    std::error_code error;
-    std::filesystem::rename(fresh, file_, error);
+    if (Replace(file_, learner_->Write())) return;
   } catch (...) {
-    // The values of this run are lost; those of the file stay.
-    return;
+    // As when they cannot be written.
   }
+  std::fprintf(stderr, "latchwork: the learned values cannot be written; %s keeps those it had\n",
+               file_.c_str());
 }
 
 logic::Diagnostics LayerLearning::Serve(const Program& program, NamePool& names,
@@ -87,6 +111,12 @@ logic::Diagnostics LayerLearning::Serve(const Program& program, NamePool& names,
   for (const std::string& name : options_.skills) {
     if (program.Find(name) != kNoSkill) continue;
     return {{{}, "learned_skills: the program has no skill '" + name + "'", {}, {}}};
+  }
+  if (learning_ && learner_ == nullptr && !file_.empty() && !IsWritable(file_)) {
+    return {{{file_.string(), 0, 0},
+             "learned values cannot be written here",
+             "name a file in a folder that exists and may be written to",
+             {}}};
   }
   std::string known;
   std::error_code error;

@@ -216,6 +216,9 @@ bool ValueLearner::ReadArgument(const SourceTree& tree, FormId form, Value& argu
     case FormKind::kInteger:
       argument = Value::Integer(tree.at(form).integer);
       return true;
+    case FormKind::kReal:  // Within a list; by itself it has become an integer.
+      argument = Value::Real(tree.at(form).real);
+      return true;
     case FormKind::kString:
       argument = Value::String(names_.Intern(tree.Unquoted(form)));
       return true;

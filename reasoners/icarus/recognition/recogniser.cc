@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -21,10 +22,31 @@ using Acts = std::vector<std::string>;
 
 Acts ActsOf(const std::vector<std::string>& words) {
   Acts acts;
-  for (const std::string& word : words) {
-    if (word.starts_with('{')) acts.push_back(word);
-  }
+  std::copy_if(words.begin(), words.end(), std::back_inserter(acts), IsAct);
   return acts;
+}
+
+/// What was done as the acts of a plan, which may be of several calls each; a recording tells calls
+/// only. Calls that are of no such act stand for themselves.
+Acts Grouped(const std::vector<std::string>& recorded, Acts offered) {
+  Acts done = ActsOf(recorded);
+  std::stable_sort(offered.begin(), offered.end(),
+                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  Acts grouped;
+  for (auto at = done.begin(); at != done.end();) {
+    auto end = at + 1;
+    for (const std::string& act : offered) {
+      std::string calls;
+      auto last = at;
+      while (last != done.end() && calls.size() < act.size()) calls += *last++;
+      if (calls != act) continue;
+      end = last;
+      break;
+    }
+    grouped.push_back(CallsOf({at, end}));
+    at = end;
+  }
+  return grouped;
 }
 
 /// Lets the script know the sensors of the program that it does not answer.
@@ -101,7 +123,8 @@ Evidence WeighPlan(const Program& program, const std::string& top, const std::st
       world.Begin(cycle, interpreter.memory());
       const CycleResult& result = interpreter.Cycle(cycle.idle ? Interpreter::kNoTop : call);
       if (!cycle.expected || cycle.idle) continue;
-      Add(ActsOf(*cycle.expected), ActsOf(Outcome(result, names)), kinds, evidence);
+      const Acts offered = ActsOf(Outcome(result, names));
+      Add(Grouped(*cycle.expected, offered), offered, kinds, evidence);
     }
   }
   if (evidence.cycles > 0) evidence.precision /= static_cast<double>(evidence.cycles);

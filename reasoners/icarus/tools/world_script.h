@@ -83,7 +83,12 @@ class ScriptedWorld : public Host {
 std::string ToString(const Act& act, const NamePool& names);
 /// What a cycle came to, in the words of `expected`.
 std::vector<std::string> Outcome(const CycleResult& result, const NamePool& names);
-/// Whether it came to what was expected: the same acts, and whatever of "true", "false" and "fault"
+/// Whether a word of it is an act, of one call or several.
+inline bool IsAct(const std::string& word) { return word.starts_with('{'); }
+/// All calls of its acts, one after the other.
+std::string CallsOf(const std::vector<std::string>& words);
+/// Whether it came to what was expected: the same calls (a script does not say which of them are
+/// one act), and whatever of "true", "false" and "fault"
 /// was named.
 bool Meets(const std::vector<std::string>& outcome, const std::vector<std::string>& expected);
 

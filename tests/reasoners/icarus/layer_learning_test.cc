@@ -75,5 +75,30 @@ TEST(IcarusLayerLearningTest, Rewards_TurnTheChoiceOfTheLayerThatComesAfter) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(expert.Walk(), "go(path)");
 }
 
+TEST(IcarusLayerLearningTest, ValuesThatCannotBeWritten_LeaveTheOldOnes) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path values = folder.path() / "learned.values";
+  const std::string old = "(value (TakePath) 1 9)\n";
+  std::ofstream(values) << old;
+  ::testing::internal::CaptureStderr();
+  {
+    Walker learner(values, true);
+    learner.Walk();
+    std::filesystem::create_directory(values.string() + ".new");  // In the way of what is written.
+  }
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("keeps those it had"));
+  EXPECT_EQ(Contents(values), old);
+}
+
+TEST(IcarusLayerLearningTest, FolderThatDoesNotExist_IsRefusedAtOnce) {
+  const test::TemporaryFolder folder;
+  ProgramMind mind(kProgram);
+  mind.Parameter("values", (folder.path() / "nowhere" / "learned.values").string());
+  mind.Parameter("learn", "true");
+  mind.Input("reward", {ArgumentType::kReal});
+  mind.Output("go", {ArgumentType::kSymbol});
+  EXPECT_THAT(Format(mind.TryLoad()), HasSubstr("learned values cannot be written here"));
+}
+
 }  // namespace
 }  // namespace latchwork::icarus::testing

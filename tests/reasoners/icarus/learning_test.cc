@@ -266,6 +266,15 @@ TEST(IcarusLearningTest, ValuesThatFitNothing_AreFindings) {
             "(value (Walk (a \"b c\" ?)) 1 1)\n(value (Walk -3) -2.5 7)\n");
 }
 
+TEST(IcarusLearningTest, RealsInLists_AreReadAsTheyWereWritten) {
+  const std::string text = "(value (Walk (a 1.5 (2.25))) 2.5 1)\n";
+  Traveller traveller({});
+  Findings findings;
+  traveller.learner.Read(text, "v", findings);
+  EXPECT_TRUE(findings.empty());
+  EXPECT_EQ(traveller.learner.Write(), text);
+}
+
 TEST(IcarusLearningTest, Reals_AreToldApartByWholeNumbers) {
   Traveller traveller({});
   Findings findings;

@@ -69,6 +69,24 @@ TEST(IcarusRecognitionTest, SensorsThatWereNotRecorded_AreFalse) {
   EXPECT_EQ(laps[2].explained, 1U);
 }
 
+TEST(IcarusRecognitionTest, ActOfTwoCalls_IsRecognisedInARecordingOfCalls) {
+  const ProgramFile file = ReadProgram(
+      "(Both () :action ({a} {b})) (First () :action ({a})) (Other () :action ({c}))", "p");
+  std::vector<Evidence> evidence;
+  for (const std::string plan : {"(Both)", "(First)", "(Other)"}) {
+    Findings findings;
+    evidence.push_back(WeighPlan(file.program, plan,
+                                 "(cycle (expect {a} {b}))"
+                                 "(cycle (expect {a} {b}))",
+                                 "w", findings));
+    EXPECT_TRUE(findings.empty());
+  }
+  EXPECT_EQ(evidence[0].explained, 2U);
+  EXPECT_EQ(evidence[1].explained, 0U);
+  EXPECT_EQ(evidence[2].explained, 0U);
+  EXPECT_GT(Posterior(evidence)[0], 0.9);
+}
+
 TEST(IcarusRecognitionTest, Mistakes_AreFindings) {
   const ProgramFile file = ReadProgram(Example("drivers.icarus"), "drivers.icarus");
   Findings findings;
