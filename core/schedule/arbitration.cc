@@ -138,7 +138,8 @@ void Arbitration::Silence(std::uint64_t tick) {
     const bool wired = effector.source.part != PortAddress::kWorld;
     const bool inhibited = wired && layers_[effector.source.part].inhibited[effector.source.port];
     commands_[port].updated = wired && effector.told == tick && !inhibited;
-    if (inhibited || tick - effector.told >= effector.hold) commands_[port].facts.clear();
+    const bool is_old = !effector.told || tick - *effector.told >= effector.hold;
+    if (inhibited || is_old) commands_[port].facts.clear();
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -57,7 +58,7 @@ class Arbitration {
     PortContract contract;
     config::PortAddress source;
     std::uint64_t hold = 1;
-    std::uint64_t told = 0;
+    std::optional<std::uint64_t> told;  ///< The tick in which it was told something.
   };
 
   void AddEffectors(const Agent& agent);
