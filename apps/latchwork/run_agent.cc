@@ -166,8 +166,9 @@ FinishedRun RunAgent(const RunRequest& request, const plugin::Registry& registry
   }
   run.agent_name = agent->description.name;
   run.libraries = LibrariesOf(agent->description, registry);
-  run.duration_s = static_cast<double>(request.ticks.value_or(agent->description.max_ticks)) *
-                   static_cast<double>(agent->description.tick_us) / 1e6;
+  run.tick_s = static_cast<double>(agent->description.tick_us) / 1e6;
+  run.duration_s =
+      static_cast<double>(request.ticks.value_or(agent->description.max_ticks)) * run.tick_s;
   for (const auto& layer : agent->description.layers) run.layer_names.push_back(layer.name);
   RunWatch watch(run, notice, request.ticks.value_or(agent->description.max_ticks));
   schedule::LockstepOptions options;

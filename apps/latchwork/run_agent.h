@@ -42,6 +42,7 @@ struct FinishedRun {
   RunRequest request;
   int exit_code = 0;
   std::string agent_name;
+  double tick_s = 0;
   double duration_s = 0;  ///< How long it may last in the world.
   std::string errors;     ///< Diagnostics or I/O errors, ready to print; empty when all went well.
   schedule::RunResult result;            ///< Only when the run began.

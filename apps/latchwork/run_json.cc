@@ -68,6 +68,7 @@ Json RunJson(const FinishedRun& run) {
           {"agent", run.agent_name},
           {"agent_file", run.request.agent_file.string()},
           {"command", CommandOf(run.request)},
+          {"tick_s", run.tick_s},
           {"duration_s", run.duration_s},
           {"measures", MeasuresJson(result)},
           {"layers", std::move(layers)},

@@ -33,6 +33,13 @@ double Measure(const Json& summary, const char* name) {
   return measure != measures->end() && measure->is_number() ? measure->get<double>() : 0;
 }
 
+/// As the world measures it; else all the time in which it was there.
+double Time(const Json& summary) {
+  if (summary.contains("/measures/time_s"_json_pointer)) return Measure(summary, "time_s");
+  return static_cast<double>(summary.value("ticks", std::uint64_t{0})) *
+         summary.value("tick_s", 0.0);
+}
+
 LayerRecord ReadLayer(const Json& layer) {
   LayerRecord record;
   record.name = layer.value("name", "");
@@ -60,7 +67,7 @@ void ReadSummary(const Json& summary, RunRecord& record) {
   record.outcome = OutcomeIn(summary, record.collisions);
   record.message = summary.value("message", "");
   record.duration_s = summary.value("duration_s", 0.0);
-  record.time_s = Measure(summary, "time_s");
+  record.time_s = Time(summary);
   record.distance_m = Measure(summary, "distance_m");
   record.trajectory = summary.value("trajectory", "");
   if (const auto layers = summary.find("layers"); layers != summary.end()) {
