@@ -39,6 +39,14 @@ bool IsGood(const std::string& file, const icarus::Findings& findings) {
   return false;
 }
 
+bool RefuseEmpty(const std::string& recording) {
+  fmt::print(stderr,
+             "{}: error: the recording shows nothing that was done\n  hint: say it in each cycle: "
+             "(cycle ... (expect {{act}}))\n",
+             recording);
+  return false;
+}
+
 /// Every plan of the program that is named; false when something is wrong.
 bool WeighProgram(const Settings& settings, const std::string& file, const std::string& recording,
                   std::vector<Candidate>& candidates) {
@@ -52,6 +60,7 @@ bool WeighProgram(const Settings& settings, const std::string& file, const std::
     candidate.evidence =
         icarus::WeighPlan(program.program, top, recording, settings.recording, findings);
     if (!IsGood(settings.recording, findings)) return false;
+    if (candidate.evidence.cycles == 0) return RefuseEmpty(settings.recording);
     candidates.push_back(std::move(candidate));
   }
   return true;

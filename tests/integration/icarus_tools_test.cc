@@ -93,6 +93,23 @@ TEST_F(IcarusToolsTest, Recognise_ReadsATraceAsItReadsAScript) {
   EXPECT_NE(traced.out.find("2/2       1.00  (Peace)"), std::string::npos) << traced.out;
   Write("bad.jsonl", "{\"kind\": 1}\n");
   EXPECT_EQ(Run("latchwork icarus recognise bad.jsonl" + tops).exit_code, 3);
+  Write("empty.world", "");
+  const CommandResult empty = Run("latchwork icarus recognise empty.world" + tops);
+  EXPECT_EQ(empty.exit_code, 3) << empty.out;
+  EXPECT_NE(empty.err.find("shows nothing"), std::string::npos) << empty.err;
+}
+
+TEST_F(IcarusToolsTest, TopWithoutASkill_IsRefused) {
+  Write("p.icarus", "(Peace () :action ({rest}))\n");
+  Write("s.world", "(cycle (expect {rest}))\n");
+  for (const char* command : {"recognise s.world p.icarus", "run p.icarus --script s.world",
+                              "trace p.icarus --script s.world"}) {
+    const CommandResult result =
+        Run(std::string("latchwork icarus ") + command + " --top '(Peaces)'");
+    EXPECT_EQ(result.exit_code, 3) << command << result.out;
+    EXPECT_NE(result.err.find("there is no skill 'Peaces'"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("did you mean 'Peace'"), std::string::npos) << result.err;
+  }
 }
 
 struct Session : IcarusToolsTest {

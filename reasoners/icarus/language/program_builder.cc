@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reasoners/icarus/language/clause_builder.h"
+#include "reasoners/icarus/language/top_check.h"
 
 namespace latchwork::icarus {
 
@@ -147,26 +148,13 @@ class Builder {
     std::optional<Clause> call = clauses_.MakeClause(top.name_form, Slot::kRequires);
     if (!call) return;
     if (call->kind == ClauseKind::kMatch) {
-      NoSuchTop(call->terms.front());
+      ReportNoSuchTop(program_, tree_, call->terms.front(), reporter_);
     } else if (call->kind != ClauseKind::kSkill) {
       reporter_.Add(Code::kTop, call->form, "the top of a program is one call of a skill",
                     "make a skill of it and write (top (Skill argument ...))");
     } else {
       top.slots.at(static_cast<std::size_t>(Slot::kRequires)).emplace().push_back(*std::move(call));
     }
-  }
-
-  void NoSuchTop(const Term& head) {
-    std::vector<std::string> names;
-    for (const Skill& skill : program_.skills) names.push_back(skill.name);
-    const std::string_view nearest = logic::NearestName(head.text, names);
-    std::string hint = "define it: (" + std::string(tree_.Text(head.form)) + " () ...)";
-    if (!nearest.empty()) {
-      hint = "did you mean '" + program_.skills[program_.Find(nearest)].spelling + "'?";
-    }
-    reporter_.Add(Code::kTop, head.form,
-                  "there is no skill '" + std::string(tree_.Text(head.form)) + "'",
-                  std::move(hint));
   }
 
   void AddSkill(FormId root, const std::vector<FormId>& children) {

@@ -10,6 +10,7 @@
 #include "reasoners/icarus/language/argument_check.h"
 #include "reasoners/icarus/language/clause_builder.h"
 #include "reasoners/icarus/language/reader.h"
+#include "reasoners/icarus/language/top_check.h"
 #include "reasoners/icarus/language/walk.h"
 
 namespace latchwork::icarus {
@@ -422,6 +423,9 @@ TopCall ReadTop(const Program& program, std::string text, Findings& findings) {
     ClauseBuilder builder(top.source, names, reporter);
     builder.Begin(&top.query, Code::kClause);
     std::optional<Clause> clause = builder.MakeClause(top.source.roots[0], Slot::kRequires);
+    if (clause && clause->kind == ClauseKind::kMatch) {
+      ReportNoSuchTop(program, top.source, clause->terms.front(), reporter);
+    }
     if (clause) clauses.push_back(*std::move(clause));
   } else if (findings.empty()) {
     reporter.AddAt(Code::kTopLevel, 0, 1, 1, "the top of a program is one call",
