@@ -4,12 +4,15 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -72,18 +75,37 @@ Contender ContenderOf(const std::string& text, const plugin::Registry& registry)
   return contender;
 }
 
-/// The reasoners that can be used here; what is wrong with the others goes to standard error.
+/// Whether its plugin is here and its parameters are its own; what is not goes to standard error.
+bool IsRight(const Contender& contender, const plugin::Registry& registry, int& exit_code) {
+  const auto made = registry.MakeReasoner(contender.name.substr(0, contender.name.find(':')));
+  if (!made.object) {
+    fmt::print(stderr, "{}\n", made.error);
+    exit_code = kPluginFailure;
+    return false;
+  }
+  logic::Diagnostics diagnostics;
+  sdk::Parameters::Check(made.object->parameters(), contender.given, contender.name, {},
+                         diagnostics);
+  const std::string_view language = made.object->language();
+  if (diagnostics.empty() && !language.empty() && language != "tptp") {
+    diagnostics.push_back({{"--reasoners", 0, 0},
+                           fmt::format("{} reads no theories", contender.name),
+                           "take one whose language is tptp", ""});
+  }
+  if (diagnostics.empty()) return true;
+  fmt::print(stderr, "{}", Format(diagnostics));
+  if (exit_code == kDone) exit_code = kInvalidInput;
+  return false;
+}
+
+/// The reasoners that can be used here: what is wrong with one ends the comparison, except that the
+/// program it drives is not installed.
 std::vector<Contender> Contenders(const DiffOptions& options, const plugin::Registry& registry,
                                   const std::filesystem::path& folder, int& exit_code) {
   std::vector<Contender> contenders;
   for (const std::string& text : options.reasoners) {
     Contender contender = ContenderOf(text, registry);
-    const auto made = registry.MakeReasoner(text.substr(0, text.find(':')));
-    if (!made.object) {
-      fmt::print(stderr, "{}\n", made.error);
-      exit_code = kPluginFailure;
-      continue;
-    }
+    if (!IsRight(contender, registry, exit_code)) continue;
     logic::SymbolTable symbols;
     DiffTheory trivial;
     trivial.body.goals.push_back({logic::Atom(symbols.Intern("p"))});
@@ -99,6 +121,20 @@ std::vector<Contender> Contenders(const DiffOptions& options, const plugin::Regi
     exit_code = kPluginFailure;
   }
   return contenders;
+}
+
+/// Makes the folder that theories are to be written to; false with a message where that cannot be.
+bool PrepareFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error && !std::filesystem::is_directory(folder)) {
+    error = std::make_error_code(std::errc::not_a_directory);
+  }
+  if (!error && access(folder.c_str(), W_OK) != 0) error = {errno, std::generic_category()};
+  if (!error) return true;
+  fmt::print(stderr, "latchwork: --out {}: nothing can be written there: {}\n", folder.string(),
+             error.message());
+  return false;
 }
 
 std::string Said(const Verdict& verdict) {
@@ -125,26 +161,35 @@ class Findings {
     std::string text = fmt::format("% {}\n% {}: {}\n% {}: {}\n% {}\n", place, a.name, Said(one),
                                    b.name, Said(two), command);
     text += TheoryText(smallest, one, two);
-    std::filesystem::create_directories(options_.out);
-    std::ofstream(file, std::ios::binary) << text;
+    const bool is_written = Write(file, text);
     if (options_.json) {
       found_.push_back({{"place", place},
                         {"reasoners", {a.name, b.name}},
                         {"conclusions", {one.conclusions, two.conclusions}},
                         {"clauses", smallest.clauses.size()},
-                        {"file", file.string()},
+                        {"file", is_written ? nlohmann::json(file.string()) : nlohmann::json()},
                         {"command", command}});
       return;
     }
     fmt::print("{}: {} and {} disagree\n", place, a.name, b.name);
-    fmt::print("{}\nagain: {}\nwritten: {} (latchwork prove {})\n\n", text, command, file.string(),
-               file.string());
+    fmt::print("{}\nagain: {}\n", text, command);
+    if (is_written) fmt::print("written: {0} (latchwork prove {0})\n", file.string());
+    fmt::print("\n");
   }
 
   std::size_t count() const { return count_; }
   const nlohmann::ordered_json& found() const { return found_; }
 
  private:
+  /// False with a message: it is not written whole.
+  static bool Write(const std::filesystem::path& file, const std::string& text) {
+    std::ofstream stream(file, std::ios::binary);
+    stream << text << std::flush;
+    if (stream) return true;
+    fmt::print(stderr, "{}: error: the theory cannot be written\n", file.string());
+    return false;
+  }
+
   const DiffOptions& options_;
   const std::vector<Contender>& contenders_;
   std::filesystem::path folder_;
@@ -240,6 +285,7 @@ int Diff(const DiffOptions& options, const Context& context) {
   }
   const plugin::Registry registry(
       plugin::MakeSearchPath(context.plugin_folders, context.executable));
+  if (!PrepareFolder(options.out)) return kUsage;
   const WorkFolder folder;
   int exit_code = kDone;
   const auto contenders = Contenders(options, registry, folder.path(), exit_code);

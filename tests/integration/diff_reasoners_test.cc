@@ -65,5 +65,24 @@ TEST(DiffReasonersTest, NothingToCompare_IsWrongUsage) {
       4);
 }
 
+TEST(DiffReasonersTest, AMisspeltParameter_IsInvalidInput) {
+  const TemporaryFolder folder;
+  const auto result = RunLatchwork({"diff-reasoners", "--random", "1", "--reasoners",
+                                    "pttp:nope=1,circumscription,circumscription:mode=bounded"},
+                                   folder.path());
+  EXPECT_EQ(result.exit_code, 3) << result.out;
+  EXPECT_THAT(result.err, ::testing::HasSubstr("nope"));
+  EXPECT_EQ(result.out, "");
+}
+
+TEST(DiffReasonersTest, AFolderThatCannotBe_IsRefusedBeforeAnythingIsCompared) {
+  const TemporaryFolder folder;
+  const auto result = RunLatchwork(
+      {"diff-reasoners", "--random", "1", "--out", "/dev/null/x", "--quiet"}, folder.path());
+  EXPECT_EQ(result.exit_code, 2) << result.out;
+  EXPECT_THAT(result.err, ::testing::HasSubstr("/dev/null/x"));
+  EXPECT_EQ(result.out, "");
+}
+
 }  // namespace
 }  // namespace latchwork::testing
