@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/latchwork/icarus_layers.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <cstdio>
+#include <string_view>
 #include <utility>
 
 #include "latchwork/config/agent.h"
@@ -26,6 +31,29 @@ sdk::Body BodyOf(const sdk::Layer& layer, const sdk::Parameters& parameters,
   return body;
 }
 
+/// Why this layer cannot learn; an empty message: it can.
+logic::Diagnostic WrongLearner(const std::string& agent,
+                               const std::vector<config::LayerDescription>& layers,
+                               const std::string& wanted) {
+  std::vector<std::string> names;
+  for (const config::LayerDescription& layer : layers) {
+    if (layer.name == wanted && layer.language == kLanguage) return {};
+    if (layer.name == wanted) {
+      return {layer.place,
+              fmt::format("layer '{}' is driven by {}, but only icarus learns", wanted,
+                          layer.reasoner.plugin),
+              "give it <reasoner plugin=\"icarus\"/>, or name another layer", ""};
+    }
+    names.push_back(layer.name);
+  }
+  const std::string_view nearest = logic::NearestName(wanted, names);
+  return {{agent, 0, 0},
+          fmt::format("there is no layer '{}'", wanted),
+          nearest.empty() ? fmt::format("its layers: {}", fmt::join(names, ", "))
+                          : fmt::format("did you mean '{}'?", nearest),
+          ""};
+}
+
 }  // namespace
 
 LayerToFulfil::LayerToFulfil(std::string name, std::shared_ptr<sdk::Layer> layer,
@@ -45,6 +73,22 @@ NamedLayer::NamedLayer(const std::string& plugin, const Context& context)
   const auto parameters = sdk::Parameters::Defaults(made.object->parameters());
   layer_.emplace(plugin, std::move(made.object), parameters,
                  registry_.DataFolder(sdk::PluginKind::kLayer, plugin), symbols_);
+}
+
+int CheckIcarusLayer(const std::filesystem::path& agent, const std::string& layer,
+                     const Context& context) {
+  const plugin::Registry registry(
+      plugin::MakeSearchPath(context.plugin_folders, context.executable));
+  logic::SymbolTable symbols;
+  config::AgentFile file =
+      config::ReadAgentFile(agent, schedule::MakeCatalog(registry), {}, symbols);
+  if (file.agent) {
+    logic::Diagnostic wrong = WrongLearner(agent.string(), file.agent->layers, layer);
+    if (!wrong.message.empty()) file.diagnostics.push_back(std::move(wrong));
+  }
+  if (file.diagnostics.empty()) return kDone;
+  fmt::print(stderr, "{}", logic::Format(file.diagnostics));
+  return file.plugin_failure ? kPluginFailure : kInvalidInput;
 }
 
 ProgramsOfAgent::ProgramsOfAgent(const std::string& agent, const std::string& scenario,

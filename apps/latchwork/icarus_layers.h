@@ -80,6 +80,11 @@ class ProgramsOfAgent {
   bool plugin_failure_ = false;
 };
 
+/// Whether the agent has this layer and the reasoner icarus drives it: kDone, or an exit code with
+/// messages on standard error.
+int CheckIcarusLayer(const std::filesystem::path& agent, const std::string& layer,
+                     const Context& context);
+
 }  // namespace latchwork::app
 
 #endif  // LATCHWORK_APPS_LATCHWORK_ICARUS_LAYERS_H_

@@ -17,6 +17,7 @@
 
 #include "apps/compare/statistics/bootstrap.h"
 #include "apps/latchwork/icarus_command.h"
+#include "apps/latchwork/icarus_layers.h"
 #include "apps/latchwork/progress.h"
 #include "apps/latchwork/run_agent.h"
 #include "apps/latchwork/settings.h"
@@ -194,6 +195,8 @@ std::optional<Measures> TryAll(const Settings& settings, Trainer& trainer) {
 }
 
 int Learn(const Settings& settings, const Context& context) {
+  const int fault = CheckIcarusLayer(settings.agent, settings.layer, context);
+  if (fault != kDone) return fault;
   std::error_code error;
   if (settings.fresh) std::filesystem::remove(settings.values, error);
   Trainer trainer(settings, context);

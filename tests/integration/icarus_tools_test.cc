@@ -99,6 +99,18 @@ TEST_F(IcarusToolsTest, Recognise_ReadsATraceAsItReadsAScript) {
   EXPECT_NE(empty.err.find("shows nothing"), std::string::npos) << empty.err;
 }
 
+TEST_F(IcarusToolsTest, LearnWithoutALearner_SaysItOnce) {
+  const std::string learn =
+      "latchwork icarus learn " LATCHWORK_SOURCE_DIR "/examples/office/scenario1.xml --layer ";
+  const CommandResult none = Run(learn + "avoyd");
+  EXPECT_EQ(none.exit_code, 3);
+  EXPECT_NE(none.err.find("there is no layer 'avoyd'"), std::string::npos) << none.err;
+  EXPECT_EQ(none.err.find("error:"), none.err.rfind("error:")) << none.err;
+  const CommandResult other = Run(learn + "avoid");
+  EXPECT_EQ(other.exit_code, 3);
+  EXPECT_NE(other.err.find("is driven by pttp"), std::string::npos) << other.err;
+}
+
 TEST_F(IcarusToolsTest, TopWithoutASkill_IsRefused) {
   Write("p.icarus", "(Peace () :action ({rest}))\n");
   Write("s.world", "(cycle (expect {rest}))\n");
