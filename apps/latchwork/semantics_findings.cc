@@ -61,6 +61,15 @@ std::size_t SemanticsFindings::Count(const TransferFindings& transfer, circ::Fau
   return count;
 }
 
+std::size_t SemanticsFindings::CountUndecided(const TransferFindings& transfer) const {
+  constexpr auto kUnknown = circumscription::Verdict::kUnknown;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < definition.size(); ++i) {
+    if (transfer.verdicts[i] == kUnknown || definition[i] == kUnknown) ++count;
+  }
+  return count;
+}
+
 bool SemanticsFindings::AllDecided() const {
   const auto decided = [](const std::vector<circ::Verdict>& verdicts) {
     return std::count(verdicts.begin(), verdicts.end(), circ::Verdict::kUnknown) == 0;

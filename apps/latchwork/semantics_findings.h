@@ -38,6 +38,8 @@ struct SemanticsFindings {
   std::optional<SmallestDifference> difference;
 
   std::size_t Count(const TransferFindings& transfer, circumscription::Fault fault) const;
+  /// Queries that the transfer or Definition 1 leaves open.
+  std::size_t CountUndecided(const TransferFindings& transfer) const;
   bool AllDecided() const;
 };
 

@@ -127,7 +127,12 @@ void Report::Comparison() {
   for (const TransferFindings& transfer : findings_.transfers) {
     const std::size_t unsound = findings_.Count(transfer, circ::Fault::kUnsound);
     const std::size_t incomplete = findings_.Count(transfer, circ::Fault::kIncomplete);
-    if (unsound + incomplete == 0) {
+    const std::size_t undecided = findings_.CountUndecided(transfer);
+    if (undecided > 0 && unsound + incomplete == 0) {
+      Line(
+          "  {:<9}not decided: {} of {} queries, a budget ran out (--conflicts, --calls, --states)",
+          Name(transfer.transfer), undecided, queries);
+    } else if (unsound + incomplete == 0) {
       Line("  {:<9}the same on all {} queries", Name(transfer.transfer), queries);
     } else {
       Line("  {:<9}differs on {} of {} queries: {} unsound, {} incomplete", Name(transfer.transfer),

@@ -126,5 +126,12 @@ TEST(SemanticsOfAgentsTest, OtherLayers_AreRefusedEachWithItsPlaces) {
   EXPECT_THAT(result.err, HasSubstr("seek.p:"));
 }
 
+TEST_F(SemanticsCommandTest, BudgetThatRanOut_IsNotAgreement) {
+  const CommandResult result = Semantics(kDisjunction, {"--transfer", "refined", "--states", "1"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("not decided: 2 of 2 queries"));
+  EXPECT_THAT(result.out, ::testing::Not(HasSubstr("the same on all")));
+}
+
 }  // namespace
 }  // namespace latchwork::testing
