@@ -40,6 +40,9 @@ void DrawTile(Svg& svg, Tile tile, std::string_view fill) {
                 {.fill = fill});
 }
 
+/// What neighbours overlap, so that no light shines between them, in metres.
+constexpr double kSeam = 0.03;
+
 /// Everything that stands, a rectangle for a run of equal tiles in a row.
 void DrawPlan(Svg& svg, const FloorPlan& plan) {
   for (int j = 0; j < plan.height(); ++j) {
@@ -49,7 +52,7 @@ void DrawPlan(Svg& svg, const FloorPlan& plan) {
       while (i < plan.width() && plan.At({i, j}) == surface) ++i;
       if (surface == Surface::kFloor) continue;
       svg.Rectangle({first * kTile, j * kTile}, {i * kTile, (j + 1) * kTile},
-                    {.fill = ColourOf(surface)});
+                    {.fill = ColourOf(surface), .stroke = ColourOf(surface), .width = kSeam});
     }
   }
   const Point home = CentreOf(plan.dock());

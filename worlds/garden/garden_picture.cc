@@ -34,10 +34,12 @@ class Season {
     svg_.Rectangle({0, 0}, {kLeft + kWide + 1.6, height_}, {.fill = "white"});
     DrawWeather(Floor(0));
     for (std::size_t bed = 0; bed < state_.beds.size(); ++bed) DrawBed(bed, Floor(bed + 1));
-    svg_.Text({kLeft, 0.12},
-              "blue: moisture, green: food, orange: weight of each pumpkin; grey: covered; "
-              "red: frost; bars: rain",
-              {.size = 0.17});
+    DrawDays();
+    svg_.Text(
+        {0.05, 0.12},
+        "blue: moisture, green: food, orange: weight of each pumpkin; grey: covered. Weather: "
+        "grey line: temperature; yellow: drought; red: frost; bars: rain",
+        {.size = 0.17});
     return svg_.Save(file);
   }
 
@@ -73,6 +75,16 @@ class Season {
       }
     }
     Curve(floor, "#868e96", [](const Moment& m) { return (m.temperature + 5) / 40; });
+  }
+
+  /// The time axis: some ten of the days, from 1.
+  void DrawDays() {
+    const int days = static_cast<int>(hours_ / 24);
+    for (int day = 0; day < days; day += std::max(1, days / 10)) {
+      const double x = X(24.0 * day);
+      svg_.Line({x, 0.52}, {x, 0.6}, {.stroke = "#343a46", .width = 0.01});
+      svg_.Text({x, 0.36}, fmt::format("day {}", day + 1), {.size = 0.15});
+    }
   }
 
   void DrawBed(std::size_t bed, double floor) {

@@ -7,6 +7,9 @@
 namespace latchwork::office {
 namespace {
 
+/// What neighbours overlap, so that no light shines between them, in metres.
+constexpr double kSeam = 0.04;
+
 sdk::SvgPoint CornerOf(const FloorMap& map, int x, int y) {
   return {map.origin().x + x * map.resolution(), map.origin().y + y * map.resolution()};
 }
@@ -28,7 +31,7 @@ void DrawWalls(sdk::Svg& svg, const FloorMap& map, std::string_view colour) {
     for (const auto& [run, first] : open) {
       if (now.contains(run)) continue;
       svg.Rectangle(CornerOf(map, run.first, first), CornerOf(map, run.second, y),
-                    {.fill = colour});
+                    {.fill = colour, .stroke = colour, .width = kSeam});
     }
     open = std::move(now);
   }

@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "latchwork/sdk/svg.h"
 #include "worlds/office/floor_svg.h"
@@ -42,12 +45,13 @@ class RouteSvg {
       svg_.Rectangle({box.area.x1, box.area.y1}, {box.area.x2, box.area.y2}, {.fill = "#de963e"});
     }
     Route(floor);
+    Ends(floor);
     for (const Remark& remark : scene_.record->remarks) {
       if (remark.floor != floor) continue;
       svg_.Circle({remark.place.x, remark.place.y}, 0.15, {.fill = "black"});
       const double seconds = static_cast<double>(remark.tick) * scene_.tick_seconds;
-      svg_.Text({remark.place.x + 0.3, remark.place.y - 0.7},
-                fmt::format("{:.1f} s {}", seconds, remark.text), {.size = kLetters});
+      Label({remark.place.x + 0.3, remark.place.y - 0.7},
+            fmt::format("{:.1f} s {}", seconds, remark.text));
     }
   }
 
@@ -61,6 +65,28 @@ class RouteSvg {
       svg_.Line({route[i - 1].place.x, route[i - 1].place.y}, {route[i].place.x, route[i].place.y},
                 {.stroke = colour, .width = 0.15});
     }
+  }
+
+  /// Where the route begins, green, and where it ends, red.
+  void Ends(int floor) {
+    const auto& route = scene_.record->route;
+    if (route.empty()) return;
+    const auto mark = [&](const auto& at, std::string_view colour, const std::string& text) {
+      if (at.floor != floor) return;
+      svg_.Circle({at.place.x, at.place.y}, 0.35, {.stroke = colour, .width = 0.15});
+      Label({at.place.x + 0.5, at.place.y + 0.4}, text);
+    };
+    mark(route.front(), "#2f9e44", "start");
+    mark(route.back(), "#e03131", "end");
+  }
+
+  /// Black letters that can be read on walls, too.
+  void Label(sdk::SvgPoint place, const std::string& text) {
+    constexpr double kRim = 0.05;  // m
+    for (const auto& [x, y] : {std::pair{-kRim, 0.0}, {kRim, 0.0}, {0.0, -kRim}, {0.0, kRim}}) {
+      svg_.Text({place.x + x, place.y + y}, text, {.size = kLetters, .fill = "white"});
+    }
+    svg_.Text(place, text, {.size = kLetters});
   }
 
   static constexpr double kLetters = 0.6;  // m
