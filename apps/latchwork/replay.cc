@@ -58,9 +58,12 @@ int Refuse(const record::JournalReader& journal) {
 int ReportPreparation(const PreparedAgent& prepared, const RunRequest& request,
                       const ReplayOptions& options) {
   fmt::print(stderr, "{}", logic::Format(prepared.diagnostics));
-  if (options.agent.empty()) {
-    fmt::print(stderr, "{}: its run was that of {}; give another agent file with --agent\n",
-               options.journal.string(), request.agent_file.string());
+  const std::filesystem::path& agent = request.agent_file;
+  std::error_code error;
+  if (options.agent.empty() && !std::filesystem::exists(agent, error)) {
+    fmt::print(stderr, "{}: its run was that of {}{}; say where it is now with --agent\n",
+               options.journal.string(), agent.string(),
+               agent.is_relative() ? ", seen from the folder in which it was started" : "");
   }
   return prepared.exit_code;
 }
