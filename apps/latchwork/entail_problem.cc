@@ -2,8 +2,10 @@
 #include "apps/latchwork/entail_problem.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -23,16 +25,19 @@ EntailProblem Refused(const std::string& file, std::string message, std::string 
   return problem;
 }
 
-EntailProblem ReadCircProblem(const std::string& name) {
+EntailProblem ReadCircProblem(const std::string& text, const std::string& name) {
   EntailProblem problem;
-  const std::optional<std::string> text = ReadInputText(name, problem.diagnostics);
-  if (!text) return problem;
-  circ::CircFile file = circ::ReadCirc(*text, name);
+  circ::CircFile file = circ::ReadCirc(text, name);
   problem.theory = std::move(file.theory);
   problem.queries = std::move(file.queries);
   problem.diagnostics = std::move(file.diagnostics);
   if (problem.diagnostics.empty()) problem.latches = circ::MoveFacts(file.facts, problem.theory);
   return problem;
+}
+
+/// Whether a line begins with `p circ`, as no TPTP formula does.
+bool IsCirc(const std::string& text) {
+  return text.starts_with("p circ") || text.find("\np circ") != std::string::npos;
 }
 
 std::vector<std::string_view> SplitList(std::string_view list) {
@@ -88,14 +93,47 @@ class RoleReader {
   logic::Diagnostics diagnostics_;
 };
 
+/// A place in a query as it was written: what wraps the query is nothing that a person knows.
+void MoveInto(const std::string& query, logic::Diagnostic& diagnostic) {
+  const auto lines = static_cast<std::uint32_t>(std::count(query.begin(), query.end(), '\n') + 1);
+  logic::SourcePlace& place = diagnostic.place;
+  if (place.line <= 1) return;
+  if (--place.line <= lines) return;
+  const std::string last = query.substr(query.rfind('\n') + 1);
+  place.line = lines;
+  place.column = static_cast<std::uint32_t>(last.size() + 1);
+  diagnostic.excerpt = last;
+  diagnostic.message = "the formula ends too early, or has a bracket too many";
+}
+
+/// Says which predicates of a query the theory does not have.
+void CheckPredicates(const logic::TptpFile& query, const std::vector<logic::PredicateName>& known,
+                     const std::string& option, logic::Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (const logic::PredicateName& name : known) names.push_back(ToString(name));
+  for (const logic::PredicateName& asked : circ::PredicatesOf(query.formulas)) {
+    const std::string name = ToString(asked);
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    const std::string_view nearest = logic::NearestName(name, names);
+    diagnostics.push_back({{option, 0, 0},
+                           fmt::format("there is no predicate '{}' in the theory", name),
+                           nearest.empty() ? fmt::format("it has {}", fmt::join(names, ", "))
+                                           : fmt::format("did you mean '{}'?", nearest),
+                           ""});
+  }
+}
+
 /// Adds the formulas of --query as conjectures q1, q2, ...
 void AddQueries(const EntailInput& input, logic::SymbolTable& symbols, logic::TptpFile& file) {
+  const std::vector<logic::PredicateName> known = circ::PredicatesOf(file.formulas);
   for (std::size_t i = 0; i < input.queries.size(); ++i) {
     // The formula has a line of its own, so that its columns are the ones that were written.
     const std::string text = fmt::format("fof(q{},conjecture,(\n{}\n)).", i + 1, input.queries[i]);
-    logic::TptpFile query = logic::ReadTptp(text, fmt::format("--query {}", i + 1), symbols);
+    const std::string option = fmt::format("--query {}", i + 1);
+    logic::TptpFile query = logic::ReadTptp(text, option, symbols);
+    CheckPredicates(query, known, option, file.diagnostics);
     for (logic::Diagnostic& diagnostic : query.diagnostics) {
-      if (diagnostic.place.line > 1) --diagnostic.place.line;
+      MoveInto(input.queries[i], diagnostic);
       file.diagnostics.push_back(std::move(diagnostic));
     }
     for (logic::AnnotatedFormula& formula : query.formulas) {
@@ -104,9 +142,14 @@ void AddQueries(const EntailInput& input, logic::SymbolTable& symbols, logic::Tp
   }
 }
 
-EntailProblem ReadTptpProblem(const EntailInput& input) {
+EntailProblem ReadTptpProblem(const EntailInput& input, const std::string* text) {
   logic::SymbolTable symbols;
-  logic::TptpFile file = Read(input.input, symbols);
+  logic::TptpFile file = Read(input.input, symbols, Keep::kNothing, text);
+  if (file.diagnostics.empty() && file.formulas.empty()) {
+    return Refused(input.input.file, "there is no formula to reason from",
+                   "a TPTP problem reads fof(name, axiom, ...).; a .circ file begins with 'p circ "
+                   "ATOMS CLAUSES'");
+  }
   AddQueries(input, symbols, file);
   EntailProblem problem;
   problem.diagnostics = std::move(file.diagnostics);
@@ -139,7 +182,14 @@ EntailProblem ReadEntailProblem(const EntailInput& input) {
     return Refused(input.input.file, "a .circ file says itself what is minimized and asked",
                    "leave out --minimize, --vary, --fix, --query and --brave");
   }
-  return tptp || has_options ? ReadTptpProblem(input) : ReadCircProblem(input.input.file);
+  if (tptp || has_options) return ReadTptpProblem(input, nullptr);
+  EntailProblem problem;
+  const auto text = ReadInputText(input.input.file, problem.diagnostics);
+  if (!text) return problem;
+  if (extension == ".circ" || IsCirc(*text)) return ReadCircProblem(*text, input.input.file);
+  // What a file includes is looked for in its folder.
+  const bool is_file = std::filesystem::is_regular_file(input.input.file);
+  return ReadTptpProblem(input, is_file ? nullptr : &*text);
 }
 
 }  // namespace latchwork::app

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/latchwork/input_text.h"
 
+#include <fmt/format.h>
+
 #include <array>
+#include <cerrno>
 #include <cstddef>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -24,6 +28,16 @@ std::string ReadStream(std::istream& stream, std::size_t most) {
   return text;
 }
 
+/// Why a file cannot be opened; empty: `stream` has it.
+std::string Open(const std::string& name, std::ifstream& stream) {
+  std::error_code error;
+  const auto status = std::filesystem::status(name, error);
+  if (status.type() == std::filesystem::file_type::not_found) return "there is no such file";
+  if (std::filesystem::is_directory(status)) return "this is a directory, not a file";
+  stream.open(name, std::ios::binary);
+  return stream ? "" : fmt::format("the file cannot be read: {}", std::strerror(errno));
+}
+
 }  // namespace
 
 std::optional<std::string> ReadStandardInput(std::size_t most) {
@@ -33,11 +47,10 @@ std::optional<std::string> ReadStandardInput(std::size_t most) {
 }
 
 std::optional<std::string> ReadInputText(const std::string& name, logic::Diagnostics& diagnostics) {
-  std::error_code error;
   std::ifstream stream;
-  if (name != "-") stream.open(name, std::ios::binary);
-  if (name != "-" && (!stream || std::filesystem::is_directory(name, error))) {
-    diagnostics.push_back({{name, 0, 0}, "the file cannot be read", "", ""});
+  const std::string problem = name == "-" ? "" : Open(name, stream);
+  if (!problem.empty()) {
+    diagnostics.push_back({{name, 0, 0}, problem, "", ""});
     return std::nullopt;
   }
   const auto text = name == "-" ? ReadStandardInput(kMostBytes) : ReadStream(stream, kMostBytes);

@@ -2,6 +2,7 @@
 #include "apps/latchwork/tptp_input.h"
 
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include "apps/latchwork/input_text.h"
@@ -9,10 +10,12 @@
 namespace latchwork::app {
 namespace {
 
-logic::TptpFile Unreadable() {
-  logic::TptpFile file;
-  file.diagnostics.push_back({{"-", 0, 0}, std::string(kInputUnreadable), "", ""});
-  return file;
+/// Whether its includes are looked for in a folder of its own.
+bool IsInFolder(const std::string& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  return !std::filesystem::exists(status) || std::filesystem::is_directory(status) ||
+         std::filesystem::is_regular_file(status);
 }
 
 }  // namespace
@@ -23,7 +26,8 @@ void AddTptpFolder(CLI::App& command, TptpInput& input) {
                      "without it, what the environment variable TPTP names");
 }
 
-logic::TptpFile Read(const TptpInput& input, logic::SymbolTable& symbols, Keep keep) {
+logic::TptpFile Read(const TptpInput& input, logic::SymbolTable& symbols, Keep keep,
+                     const std::string* text) {
   logic::TptpOptions options;
   options.keep_sources = keep == Keep::kSources;
   options.keep_texts = keep == Keep::kTexts;
@@ -31,9 +35,13 @@ logic::TptpFile Read(const TptpInput& input, logic::SymbolTable& symbols, Keep k
   options.include_root = input.folder;
   const char* const root = std::getenv("TPTP");
   if (input.folder.empty() && root != nullptr) options.include_root = root;
-  if (input.file != "-") return logic::ReadTptpFile(input.file, symbols, options);
-  const auto text = ReadStandardInput(options.max_bytes);
-  return text ? logic::ReadTptp(*text, "-", symbols, options) : Unreadable();
+  if (input.file != "-" && IsInFolder(input.file)) {
+    return logic::ReadTptpFile(input.file, symbols, options);
+  }
+  if (text != nullptr) return logic::ReadTptp(*text, input.file, symbols, options);
+  logic::TptpFile none;
+  const auto read = ReadInputText(input.file, none.diagnostics);
+  return read ? logic::ReadTptp(*read, input.file, symbols, options) : none;
 }
 
 }  // namespace latchwork::app

@@ -25,8 +25,9 @@ void AddTptpFolder(CLI::App& command, TptpInput& input);
 /// What is wanted beside the formulas.
 enum class Keep : std::uint8_t { kNothing, kSources, kTexts };
 
+/// `text`: what has been read of a pipe or standard input already.
 logic::TptpFile Read(const TptpInput& input, logic::SymbolTable& symbols,
-                     Keep keep = Keep::kNothing);
+                     Keep keep = Keep::kNothing, const std::string* text = nullptr);
 
 }  // namespace latchwork::app
 

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <unordered_set>
 #include <utility>
@@ -49,6 +50,8 @@ class Reader {
   }
 
   void Parse(std::string_view text, std::string_view name, const fs::path& folder) {
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
     TptpParser(text, name, symbols_, options_, result_, [&](const TptpInclude& include) {
       return HandleInclude(include, folder);
     }).Read();

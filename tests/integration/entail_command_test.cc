@@ -98,7 +98,44 @@ TEST_F(EntailCommandTest, Tptp_BadQuery_IsShownAsWritten) {
   const CommandResult result =
       Entail("birds.p", kBirds, {"--minimize", "abnormal/1", "--query", "flies(tweety"});
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_NE(result.err.find("--query 1:"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("--query 1:1:13: error"), std::string::npos) << result.err;
+  EXPECT_EQ(result.err.find("))"), std::string::npos) << result.err;
+}
+
+TEST_F(EntailCommandTest, Tptp_QueryOfAnUnknownPredicate_SuggestsOne) {
+  const CommandResult result =
+      Entail("birds.p", kBirds, {"--minimize", "abnormal/1", "--query", "flis(tweety)"});
+  EXPECT_EQ(result.exit_code, 3) << result.out;
+  EXPECT_NE(result.err.find("did you mean 'flies/1'?"), std::string::npos) << result.err;
+}
+
+TEST_F(EntailCommandTest, WithoutAnExtension_TheTextSaysWhatItIs) {
+  const std::string asked = kBirds + std::string("fof(q, conjecture, bird(opus)).\n");
+  EXPECT_EQ(Entail("birds", asked).out, "q yes\n");
+  EXPECT_EQ(Entail("a", "p circ 1 0\nP 1 1 0\n? q c -1 0\n").out, "q yes\n");
+  const CommandResult empty = Entail("empty", "");
+  EXPECT_EQ(empty.exit_code, 3);
+  EXPECT_NE(empty.err.find("there is no formula"), std::string::npos) << empty.err;
+}
+
+TEST_F(EntailCommandTest, ByteOrderMark_IsSkipped) {
+  EXPECT_EQ(Entail("a.circ", "\xef\xbb\xbfp circ 1 0\nP 1 1 0\n? q c -1 0\n").out, "q yes\n");
+}
+
+TEST_F(EntailCommandTest, Pipe_IsRead) {
+  WriteText(scratch_.path() / "birds.p", kBirds);
+  const CommandResult result =
+      RunShell("mkfifo pipe; cat birds.p > pipe & latchwork entail pipe --query 'bird(opus)'",
+               scratch_.path());
+  EXPECT_EQ(result.out, "q1 yes\n") << result.err;
+}
+
+TEST_F(EntailCommandTest, MissingFile_SaysWhy) {
+  const CommandResult missing = RunLatchwork({"entail", "none"}, scratch_.path());
+  EXPECT_NE(missing.err.find("none: error: there is no such file"), std::string::npos)
+      << missing.err;
+  const CommandResult folder = RunLatchwork({"entail", "."}, scratch_.path());
+  EXPECT_NE(folder.err.find("this is a directory"), std::string::npos) << folder.err;
 }
 
 }  // namespace

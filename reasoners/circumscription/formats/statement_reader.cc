@@ -38,6 +38,8 @@ std::optional<int> ToInteger(std::string_view text) {
 }
 
 void StatementReader::ReadLines() {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
   std::size_t at = 0;
   while (at < text_.size() && !ended_) {
     const std::size_t end = std::min(text_.find('\n', at), text_.size());
