@@ -53,14 +53,26 @@ std::chrono::steady_clock::time_point Guard(double cpu_seconds) {
          std::chrono::duration_cast<std::chrono::steady_clock::duration>(wall);
 }
 
+void Print(const nlohmann::ordered_json& report) {
+  fmt::print("{}\n", report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
 int RefuseInput(const ProveSettings& settings, const logic::TptpFile& input, ProveLimits& limits) {
   limits.Release();
   const std::string& file = settings.input.file;
   std::error_code error;
+  const auto status = std::filesystem::status(file, error);
   const bool exists =
-      file == "-" ? std::ferror(stdin) == 0 : std::filesystem::is_regular_file(file, error);
-  fmt::print(stderr, "{}", Format(input.diagnostics));
-  fmt::print("% SZS status {} for {}\n", exists ? "SyntaxError" : "InputError", file);
+      file == "-" ? std::ferror(stdin) == 0
+                  : (std::filesystem::exists(status) && !std::filesystem::is_directory(status));
+  const std::string_view szs = exists ? "SyntaxError" : "InputError";
+  const std::string report = Format(input.diagnostics);
+  fmt::print(stderr, "{}", report);
+  if (settings.json) {
+    Print({{"file", file}, {"status", szs}, {"message", report}});
+  } else {
+    fmt::print("% SZS status {} for {}\n", szs, file);
+  }
   return kInvalidInput;
 }
 
@@ -130,11 +142,21 @@ void PrintText(const ProveSettings& settings, bool answers, const Outcome& outco
   }
 }
 
+/// Why it gave up.
+std::string MessageOf(const Outcome& outcome) {
+  if (outcome.proved || !outcome.result.message.empty()) return outcome.result.message;
+  if (outcome.status == "Timeout") return "the time that --time allows is over";
+  if (outcome.status == "ResourceOut") return "a budget or the memory that --memory allows ran out";
+  if (outcome.status == "User") return "it was interrupted";
+  if (outcome.status == "Forced") return "it was told to end";
+  return "";
+}
+
 void PrintJson(const ProveSettings& settings, bool answers, const Outcome& outcome) {
   const pttp::ProverResult& result = outcome.result;
   nlohmann::ordered_json report{
       {"file", settings.input.file},     {"status", outcome.status},
-      {"strategy", result.strategy},     {"message", result.message},
+      {"strategy", result.strategy},     {"message", MessageOf(outcome)},
       {"clauses", result.clauses},       {"inferences", result.statistics.inferences},
       {"depth", result.statistics.depth}};
   if (answers && outcome.proved) report["answers"] = result.answers;
@@ -145,7 +167,7 @@ void PrintJson(const ProveSettings& settings, bool answers, const Outcome& outco
       report["why"].push_back({{"depth", line.depth}, {"text", line.text}});
     }
   }
-  fmt::print("{}\n", report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  Print(report);
 }
 
 /// After the limits have been lifted: it is short, and a search that ran out of time is the one to
@@ -162,7 +184,7 @@ void AddFailure(const pttp::ProverOptions& options, logic::SymbolTable& symbols,
 int RunProve(const ProveSettings& settings) {
   const sdk::Parameters values = Values(pttp::ProblemOptions(), settings.options);
   ProveLimits limits(values.Real("time"), static_cast<std::size_t>(values.Integer("memory")),
-                     settings.input.file);
+                     settings.input.file, settings.json);
   logic::SymbolTable symbols;
   const Keep keep = settings.proof ? Keep::kTexts : Keep::kNothing;
   const logic::TptpFile input = Read(settings.input, symbols, keep);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/latchwork/prove_limits.h"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include <cstring>
 #include <ctime>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "apps/latchwork/command.h"
@@ -21,7 +23,7 @@ namespace {
 
 constexpr std::array kSignals{SIGXCPU, SIGALRM, SIGTERM, SIGINT};
 constexpr std::int64_t kGraceNanoseconds = 200'000'000;
-constexpr std::size_t kWordLength = 32;
+constexpr std::size_t kLongestName = 1024;
 
 // What a signal handler may touch: lock-free atomics and memory that is written before. A handler
 // is given nothing, so these are the process's, and hidden here.
@@ -29,7 +31,8 @@ constexpr std::size_t kWordLength = 32;
 std::atomic<bool> is_cancelled = false;
 std::atomic<const char*> stopped_by = nullptr;
 std::atomic<bool> is_written = false;
-std::array<char, 4096> file_name{};
+std::array<char, 8192> before_word{};
+std::array<char, 8192> after_word{};
 timer_t timer{};
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
@@ -56,11 +59,9 @@ void WriteAll(const char* text) {
     // The status line is out, or on its way by another thread.
     while (true) pause();
   }
-  WriteAll("% SZS status ");
+  WriteAll(before_word.data());
   WriteAll(word);
-  WriteAll(" for ");
-  WriteAll(file_name.data());
-  WriteAll("\n");
+  WriteAll(after_word.data());
   _exit(kGoalNotReached);
 }
 
@@ -95,11 +96,27 @@ void LimitMemory(std::size_t megabytes) {
   setrlimit(RLIMIT_DATA, &limit);
 }
 
+/// What a signal handler writes before and after the status.
+void PrepareWords(std::string_view file, bool json) {
+  std::string before = "% SZS status ";
+  std::string after = fmt::format(" for {}", file);
+  if (json) {
+    const nlohmann::json name(file);
+    before = fmt::format("{{\"file\": {}, \"status\": \"",
+                         name.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    after = "\", \"message\": \"it was ended before it could end in order\"}";
+  }
+  std::replace(after.begin(), after.end(), '\n', ' ');
+  after += '\n';
+  before.copy(before_word.data(), before_word.size() - 1);
+  after.copy(after_word.data(), after_word.size() - 1);
+}
+
 }  // namespace
 
-ProveLimits::ProveLimits(double cpu_seconds, std::size_t memory_mb, std::string_view file) {
-  file.copy(file_name.data(), std::min(file.size(), file_name.size() - kWordLength));
-  std::replace(file_name.begin(), file_name.end(), '\n', ' ');
+ProveLimits::ProveLimits(double cpu_seconds, std::size_t memory_mb, std::string_view file,
+                         bool json) {
+  PrepareWords(file.substr(0, kLongestName), json);
   sigevent event{};
   event.sigev_notify = SIGEV_SIGNAL;
   event.sigev_signo = SIGXCPU;

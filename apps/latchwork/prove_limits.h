@@ -16,8 +16,8 @@ namespace latchwork::app {
 class ProveLimits {
  public:
   /// CPU seconds of all threads since the process began. Memory: the process's data, in MB; 0 is no
-  /// limit. `file` is named in the status line.
-  ProveLimits(double cpu_seconds, std::size_t memory_mb, std::string_view file);
+  /// limit. `file` is named in the status line, which with `json` is a JSON object instead.
+  ProveLimits(double cpu_seconds, std::size_t memory_mb, std::string_view file, bool json);
   ~ProveLimits();
   ProveLimits(const ProveLimits&) = delete;
   ProveLimits& operator=(const ProveLimits&) = delete;

@@ -248,5 +248,22 @@ TEST_F(ProveTest, Memory_IsKeptTo) {
 }
 #endif
 
+TEST_F(ProveTest, Json_IsAllThatIsPrinted) {
+  const auto bad = nlohmann::json::parse(Prove("fof(a, axiom,", {"--json"}).out);
+  EXPECT_EQ(bad.at("status"), "SyntaxError");
+  EXPECT_THAT(bad.at("message"), HasSubstr("problem.p:1:"));
+  const auto missing = nlohmann::json::parse(Shell("latchwork prove none.p --json").out);
+  EXPECT_EQ(missing.at("status"), "InputError");
+  const auto late = nlohmann::json::parse(Prove(kEndless, {"--json", "--time", "0.3"}).out);
+  EXPECT_EQ(late.at("status"), "Timeout");
+  EXPECT_NE(late.at("message"), "");
+}
+
+TEST_F(ProveTest, PipeWithAByteOrderMark_IsRead) {
+  Write("problem.p", "\xef\xbb\xbf" + std::string(kTheorem));
+  const CommandResult result = Shell("mkfifo pipe; cat problem.p > pipe & latchwork prove pipe");
+  EXPECT_EQ(result.out, "% SZS status Theorem for pipe\n") << result.err;
+}
+
 }  // namespace
 }  // namespace latchwork::testing
