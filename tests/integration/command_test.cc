@@ -131,6 +131,14 @@ TEST_F(ReplayCommandTest, ForgedTick_IsRefused) {
   EXPECT_THAT(result.err, HasSubstr("forged.journal"));
 }
 
+TEST_F(ReplayCommandTest, MisspeltSetting_IsNotTakenForAnotherAgent) {
+  const CommandResult result =
+      Latchwork({"replay", "out/run.journal", "--set", "avoid.sped_gain=0.3"});
+  EXPECT_EQ(result.exit_code, 3) << result.out;
+  EXPECT_THAT(result.err, HasSubstr("sped_gain"));
+  EXPECT_THAT(result.err, ::testing::Not(HasSubstr("--agent")));
+}
+
 TEST_F(ReplayCommandTest, SettingWithoutPart_IsWrongUsage) {
   const CommandResult result = Latchwork({"replay", "out/run.journal", "--set", "people=4"});
   EXPECT_EQ(result.exit_code, 2);
