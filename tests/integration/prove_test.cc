@@ -254,7 +254,8 @@ TEST_F(ProveTest, Json_IsAllThatIsPrinted) {
   EXPECT_THAT(bad.at("message"), HasSubstr("problem.p:1:"));
   const auto missing = nlohmann::json::parse(Shell("latchwork prove none.p --json").out);
   EXPECT_EQ(missing.at("status"), "InputError");
-  const auto late = nlohmann::json::parse(Prove(kEndless, {"--json", "--time", "0.3"}).out);
+  const auto late = nlohmann::json::parse(
+      Prove(kEndless, {"--json", "--time", "0.3", "--strategy", "complete"}).out);
   EXPECT_EQ(late.at("status"), "Timeout");
   EXPECT_NE(late.at("message"), "");
 }
