@@ -105,8 +105,8 @@ class Expansion {
       instances.push_back(ExpandVariables(quantified, variables, next + 1, polarity, depth + 1));
     }
     values_.erase(variables[next]);
+    if (failed_) return Formula::True();
     if (instances.size() == 1) return instances[0];
-    if (instances.empty()) return Formula::True();
     return quantified.kind() == Kind::kExists ? Formula::Or(std::move(instances))
                                               : Formula::And(std::move(instances));
   }

@@ -11,8 +11,9 @@
 namespace latchwork::circumscription {
 
 /// Replaces the quantifiers that would need Skolem functions by disjunctions and conjunctions over
-/// the domain: nothing else exists. Those that become variables of clauses stay. Nothing, where
-/// the result would have more than `max_atoms` atoms, or nests deeper than 1,000.
+/// the domain, which is not empty: nothing else exists. Those that become variables of clauses
+/// stay. Nothing, where the result would have more than `max_atoms` atoms, or nests deeper than
+/// 1,000.
 std::optional<logic::Formula> ExpandExistentials(const logic::Formula& formula,
                                                  const std::vector<logic::Term>& domain,
                                                  std::size_t max_atoms);

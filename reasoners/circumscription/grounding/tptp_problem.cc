@@ -38,6 +38,8 @@ class Problem {
   TptpProblem Ground(const std::vector<AnnotatedFormula>& formulas) {
     for (const AnnotatedFormula& formula : formulas) CheckFormula(formula);
     if (!result_.diagnostics.empty()) return std::move(result_);
+    // Something exists, named or not.
+    if (domain_.empty()) domain_.push_back(Term::Constant(symbols_.Fresh("element")));
     for (const AnnotatedFormula& formula : formulas) AddFormula(formula);
     if (!result_.diagnostics.empty()) return std::move(result_);
     const std::vector<logic::Clause> clauses =

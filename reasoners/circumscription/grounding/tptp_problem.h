@@ -26,9 +26,11 @@ struct TptpProblem {
   logic::Diagnostics diagnostics;  ///< Where there are any, the rest must not be used.
 };
 
-/// Grounds the axioms over the constants that occur in `formulas`: they are taken to be all
-/// different, and all there is. Conjectures become queries, named as they are. A formula with a
-/// function symbol or arithmetic is refused, with its place and the reason.
+/// Grounds the axioms over the constants that occur in `formulas`, axioms and conjectures alike:
+/// they are taken to be all different, and all there is. Where none occurs there is one thing
+/// without a name. All conjectures are asked of this one domain: a constant that only one of them
+/// names is there for the others, too. Conjectures become queries, named as they are. A formula
+/// with a function symbol or arithmetic is refused, with its place and the reason.
 TptpProblem GroundTptp(const std::vector<logic::AnnotatedFormula>& formulas,
                        const PredicateRoles& roles, logic::SymbolTable& symbols,
                        const GroundingLimits& limits = {});

@@ -72,6 +72,31 @@ TEST_F(GroundingTest, Equivalences_ExpandBothWays) {
             "yes no ");
 }
 
+TEST_F(GroundingTest, WithoutConstants_SomethingExists) {
+  EXPECT_EQ(Answers("fof(a, axiom, q). fof(q1, conjecture, ?[X]: p(X))."
+                    "fof(q2, conjecture, ![X]: p(X)). fof(q3, conjecture, ?[X]: (p(X) | ~p(X)))."
+                    "fof(q4, conjecture, ![X]: ~p(X)).",
+                    {}),
+            "no no yes no ");
+  EXPECT_EQ(Answers("fof(a, axiom, ![X]: p(X)). fof(q1, conjecture, ?[X]: p(X)).", {}), "yes ");
+}
+
+TEST_F(GroundingTest, WithoutConstants_ContradictionsAreSeen) {
+  const TptpProblem problem =
+      Ground("fof(a, axiom, ?[X]: p(X)). fof(b, axiom, ![X]: ~p(X)).", {"p/1"});
+  Engine engine(problem.theory);
+  engine.SetLatches({});
+  EXPECT_EQ(engine.IsInconsistent().verdict, Verdict::kYes);
+}
+
+TEST_F(GroundingTest, ConstantsOfAQuery_ExistForTheOthers) {
+  EXPECT_EQ(Answers("fof(a, axiom, p(a)). fof(q1, conjecture, ![X]: p(X)).", {"p/1"}), "yes ");
+  EXPECT_EQ(Answers("fof(a, axiom, p(a)). fof(q1, conjecture, ![X]: p(X))."
+                    "fof(q2, conjecture, ~p(b)).",
+                    {"p/1"}),
+            "no yes ");
+}
+
 TEST_F(GroundingTest, ConstantsAreDifferent) {
   EXPECT_EQ(Answers("fof(one, axiom, ![X]: (X != a => far(X))). cnf(b, axiom, seen(b))."
                     "fof(q1, conjecture, far(b)). fof(q2, conjecture, far(a)).",
