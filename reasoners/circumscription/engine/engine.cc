@@ -33,7 +33,7 @@ Engine::Engine(const GroundTheory& theory, const EngineOptions& options)
     : theory_(theory),
       options_(options),
       certificate_(theory_),
-      search_(std::make_unique<MinimalModels>(theory_, options.conflicts)) {}
+      search_(std::make_unique<MinimalModels>(theory_, options.conflicts, options.spending)) {}
 
 bool Engine::SetLatches(std::span<const Literal> latches) {
   ++statistics_.cycles;
@@ -138,7 +138,7 @@ void Engine::Explore() {
   world_ = World::kUndecided;
   if (search_->learnt() > options_.max_learnt) {
     statistics_.sat_calls += search_->calls();
-    search_ = std::make_unique<MinimalModels>(theory_, options_.conflicts);
+    search_ = std::make_unique<MinimalModels>(theory_, options_.conflicts, options_.spending);
   }
   Model model;
   const SatResult result = search_->Candidate(latches_, {}, model);

@@ -43,6 +43,7 @@ struct EngineOptions {
   std::size_t calls = 1'000'000;     ///< SAT calls for one query.
   std::size_t max_asked = 1024;      ///< Literals that are decided together.
   std::size_t max_learnt = 200'000;  ///< Flip formulas; with more the search starts afresh.
+  Spending* spending = nullptr;      ///< What SAT calls are charged to; outlives the engine.
 };
 
 struct EngineStatistics {

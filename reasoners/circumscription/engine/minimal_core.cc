@@ -34,9 +34,10 @@ std::vector<Literal> Minimized(SatSolver& solver, std::vector<Literal> core, int
 }  // namespace
 
 std::optional<Core> MinimalCore(const GroundTheory& theory, std::span<const Literal> latches,
-                                int conflicts) {
+                                int conflicts, Spending* spending) {
   const auto atoms = static_cast<int>(theory.atoms.size());
   SatSolver solver(atoms);
+  if (spending != nullptr) solver.Charge(*spending);
   std::vector<Literal> assumptions;
   for (const Clause& clause : theory.clauses) {
     Clause selected = clause;

@@ -11,6 +11,8 @@
 
 namespace latchwork::circumscription {
 
+class Spending;
+
 /// Latches and clauses that contradict each other, and do no longer when any one is left out.
 struct Core {
   std::vector<Literal> latches;
@@ -18,10 +20,11 @@ struct Core {
 };
 
 /// Nothing: the theory has a model under the latches. Each part is left out in turn, so this is for
-/// reports and not for control cycles. `conflicts`: limit of each SAT call, < 0 without; where it
-/// is reached, the core may be larger than need be.
+/// reports and not for control cycles. `conflicts`: limit of each SAT call, < 0 without.
+/// `spending`: what the calls are charged to, if to anything. Where a limit is reached, the core
+/// may be larger than need be.
 std::optional<Core> MinimalCore(const GroundTheory& theory, std::span<const Literal> latches,
-                                int conflicts = -1);
+                                int conflicts = -1, Spending* spending = nullptr);
 
 }  // namespace latchwork::circumscription
 

@@ -64,6 +64,8 @@ class Evaluator {
   const FactInfo& InfoOf(FactRef fact) const { return tables_[fact.relation]->info(fact.row); }
   const std::string& refusal() const { return refusal_; }
   const Spending& spending() const { return spending_; }
+  /// For what is done besides, such as a search among the instances found.
+  Spending& spending() { return spending_; }
   const Program& program() const { return program_; }
   const ValueBank& bank() const { return bank_; }
   /// Compound terms that it keeps.

@@ -8,7 +8,7 @@
 
 namespace latchwork::circumscription {
 
-/// What an evaluation has spent of its budget.
+/// What a decision has spent of its budget, on evaluation and on search.
 class Spending {
  public:
   void Begin(const sdk::Budget& budget) {
@@ -19,6 +19,12 @@ class Spending {
   void Infer() {
     if (++inferences_ >= budget_.inferences) limit_ = sdk::Limit::kInferences;
     if (inferences_ % kPoll == 0) Poll();
+  }
+  /// A step of a search, which takes longer than an inference.
+  void Step() {
+    if (is_spent()) return;
+    Infer();
+    if (!is_spent()) Poll();
   }
   bool is_spent() const { return limit_ != sdk::Limit::kNone; }
   sdk::Limit limit() const { return limit_; }

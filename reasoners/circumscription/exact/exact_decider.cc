@@ -34,6 +34,18 @@ bool ExactDecider::Search(std::span<const sdk::Latch> latches, const sdk::Budget
   return is_decided;
 }
 
+/// What the certificate took is a part of what the decision spends.
+bool ExactDecider::SearchWithRest(std::span<const sdk::Latch> latches, const sdk::Budget& budget,
+                                  sdk::Decision& decision) {
+  const Spending& spent = evaluator_.spending();
+  sdk::Budget rest = budget;
+  rest.inferences -= std::min(rest.inferences, spent.inferences());
+  if (!Search(latches, rest, decision)) return false;
+  decision.statistics.inferences += spent.inferences();
+  decision.statistics.attachment_calls += spent.attachment_calls;
+  return true;
+}
+
 bool ExactDecider::Decide(std::span<const sdk::Latch> latches, const sdk::Budget& budget,
                           sdk::Decision& decision) {
   if (must_search_) return Search(latches, budget, decision);
@@ -48,7 +60,7 @@ bool ExactDecider::Decide(std::span<const sdk::Latch> latches, const sdk::Budget
   }
   // Search finds the least core of a contradiction, too.
   if (end == Evaluator::End::kOpen || end == Evaluator::End::kInconsistent) {
-    return Search(latches, budget, decision);
+    return SearchWithRest(latches, budget, decision);
   }
   Fill(decision);
   return true;

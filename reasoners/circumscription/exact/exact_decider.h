@@ -45,6 +45,8 @@ class ExactDecider {
  private:
   bool Search(std::span<const sdk::Latch> latches, const sdk::Budget& budget,
               sdk::Decision& decision);
+  bool SearchWithRest(std::span<const sdk::Latch> latches, const sdk::Budget& budget,
+                      sdk::Decision& decision);
   void Fill(sdk::Decision& decision);
   void AnswerGoals(sdk::Decision& decision);
   void ListAssumptions(sdk::Decision& decision) const;

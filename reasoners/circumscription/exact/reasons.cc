@@ -11,11 +11,12 @@
 namespace latchwork::circumscription {
 
 std::optional<Core> ReasonsFor(const GroundTheory& theory, std::span<const Literal> latches,
-                               std::span<const Literal> assumed, Literal conclusion) {
+                               std::span<const Literal> assumed, Literal conclusion,
+                               Spending* spending) {
   std::vector<Literal> given(latches.begin(), latches.end());
   given.insert(given.end(), assumed.begin(), assumed.end());
   given.push_back(-conclusion);
-  return MinimalCore(theory, given);
+  return MinimalCore(theory, given, -1, spending);
 }
 
 logic::Fact FactOf(const GroundStore& store, const ValueBank& bank, const Relations& relations,

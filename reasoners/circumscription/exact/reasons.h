@@ -15,9 +15,11 @@ namespace latchwork::circumscription {
 
 /// Which of `assumed` are needed to conclude `conclusion` classically from the theory and the
 /// latches, and which clauses and latches: none can be left out. Nothing: it does not follow so.
-/// The contrary of the conclusion stands among the latches of the core.
+/// The contrary of the conclusion stands among the latches of the core. `spending`: what the search
+/// is charged to, if to anything; where it ends, the core may be larger than need be, or none.
 std::optional<Core> ReasonsFor(const GroundTheory& theory, std::span<const Literal> latches,
-                               std::span<const Literal> assumed, Literal conclusion);
+                               std::span<const Literal> assumed, Literal conclusion,
+                               Spending* spending = nullptr);
 
 /// The fact that an atom of the store stands for. `bank`: that of the evaluator that filled it.
 logic::Fact FactOf(const GroundStore& store, const ValueBank& bank, const Relations& relations,

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <climits>
+#include <limits>
 #include <utility>
 
 #include "reasoners/circumscription/exact/search_reasons.h"
@@ -14,6 +14,7 @@
 namespace latchwork::circumscription {
 namespace {
 
+// Of explanations, which have no budget.
 constexpr int kConflicts = 100'000;
 constexpr std::size_t kCalls = 10'000;
 constexpr std::size_t kMaxTerms = 1U << 16U;
@@ -27,6 +28,14 @@ EngineOptions Limits() {
   EngineOptions options;
   options.conflicts = kConflicts;
   options.calls = kCalls;
+  return options;
+}
+
+/// The budget of the decision is the only limit.
+EngineOptions ChargedTo(Spending& spending) {
+  EngineOptions options;
+  options.calls = std::numeric_limits<std::size_t>::max();
+  options.spending = &spending;
   return options;
 }
 
@@ -68,7 +77,7 @@ Evaluator::End SearchDecider::Ground(std::span<const sdk::Latch> latches,
 void SearchDecider::Prepare() {
   const std::size_t atoms = store_.theory().atoms.size();
   if (!engine_ || prepared_ != store_.size() || prepared_atoms_ != atoms) {
-    engine_ = std::make_unique<Engine>(store_.theory(), Limits());
+    engine_ = std::make_unique<Engine>(store_.theory(), ChargedTo(evaluator_.spending()));
     prepared_ = store_.size();
     prepared_atoms_ = atoms;
   }
@@ -93,10 +102,11 @@ bool SearchDecider::Decide(std::span<const sdk::Latch> latches, const sdk::Budge
   if (end == Evaluator::End::kRefused) return false;
   decision.Clear();
   decision.status = sdk::Status::kUnknown;
-  decision.limit = evaluator_.spending().limit();
-  decision.statistics.inferences = evaluator_.spending().inferences();
-  decision.statistics.attachment_calls = evaluator_.spending().attachment_calls;
   if (end != Evaluator::End::kSpent) Answer(decision);
+  const Spending& spending = evaluator_.spending();
+  decision.limit = spending.limit();
+  decision.statistics.inferences = spending.inferences();
+  decision.statistics.attachment_calls = spending.attachment_calls;
   return true;
 }
 
@@ -117,7 +127,8 @@ void SearchDecider::Answer(sdk::Decision& decision) {
   const Verdict inconsistent = engine_->IsInconsistent().verdict;
   if (inconsistent == Verdict::kYes) {
     decision.status = sdk::Status::kInconsistent;
-    decision.message = Describe(store_, evaluator_, MinimalCore(store_.theory(), latches_));
+    decision.message = Describe(store_, evaluator_,
+                                MinimalCore(store_.theory(), latches_, -1, &evaluator_.spending()));
     return;
   }
   is_unknown_ = inconsistent == Verdict::kUnknown;
@@ -127,10 +138,8 @@ void SearchDecider::Answer(sdk::Decision& decision) {
   ListAssumptions(decision);
   if (!is_brave_) ListGrounds(decision);
   ListStates(decision);
-  if (is_unknown_) {
-    const sdk::Limit limit = evaluator_.spending().limit();
-    decision.limit = limit == sdk::Limit::kNone ? sdk::Limit::kInferences : limit;
-  } else if (decision.undecided.empty()) {
+  // Without all assumptions, a conclusion would seem to rest on fewer than it does.
+  if (!is_unknown_ && !evaluator_.spending().is_spent() && decision.undecided.empty()) {
     decision.status = decision.conclusions.empty() ? sdk::Status::kRefuted : sdk::Status::kProved;
   }
 }
@@ -198,10 +207,10 @@ void SearchDecider::ListAssumption(std::size_t relation, std::uint32_t row,
 }
 
 /// What each conclusion rests on, as few assumptions as will do.
-void SearchDecider::ListGrounds(sdk::Decision& decision) const {
+void SearchDecider::ListGrounds(sdk::Decision& decision) {
   for (std::size_t i = 0; i < concluded_.size(); ++i) {
     if (concluded_[i] == 0) continue;
-    const auto core = CoreOf(concluded_[i]);
+    const auto core = CoreOf(concluded_[i], &evaluator_.spending());
     if (!core) continue;
     for (const Literal literal : core->latches) {
       const auto place = std::find(made_.begin(), made_.end(), literal);
@@ -232,11 +241,11 @@ void SearchDecider::ListStates(sdk::Decision& decision) {
 }
 
 /// Latches, assumptions and clauses that make an atom hold; nothing where these do not suffice.
-std::optional<Core> SearchDecider::CoreOf(Atom atom) const {
+std::optional<Core> SearchDecider::CoreOf(Atom atom, Spending* spending) const {
   std::vector<Literal> made;
   std::copy_if(made_.begin(), made_.end(), std::back_inserter(made),
                [](Literal literal) { return literal != 0; });
-  return ReasonsFor(store_.theory(), latches_, made, atom);
+  return ReasonsFor(store_.theory(), latches_, made, atom, spending);
 }
 
 sdk::Derivation SearchDecider::Explain(const sdk::Decision& decision,

@@ -65,8 +65,8 @@ class SearchDecider final : private InstanceSink {
   void ListAssumptions(sdk::Decision& decision);
   void ListAssumption(std::size_t relation, std::uint32_t row, sdk::Decision& decision);
   void ListStates(sdk::Decision& decision);
-  void ListGrounds(sdk::Decision& decision) const;
-  std::optional<Core> CoreOf(Atom atom) const;
+  void ListGrounds(sdk::Decision& decision);
+  std::optional<Core> CoreOf(Atom atom, Spending* spending = nullptr) const;
   Atom FirstOpen(const logic::Atom& pattern) const;
 
   const sdk::Body& body_;

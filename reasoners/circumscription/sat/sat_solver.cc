@@ -3,6 +3,8 @@
 
 #include <cadical.hpp>
 
+#include "reasoners/circumscription/evaluation/spending.h"
+
 namespace latchwork::circumscription {
 namespace {
 
@@ -10,9 +12,24 @@ namespace {
 constexpr int kSatisfiableCode = 10;
 constexpr int kUnsatisfiableCode = 20;
 
+/// The backend asks it after each propagation without a conflict, and within its preparations.
+class Meter final : public CaDiCaL::Terminator {
+ public:
+  explicit Meter(Spending& spending) : spending_(spending) {}
+
+  bool terminate() override {
+    spending_.Step();
+    return spending_.is_spent();
+  }
+
+ private:
+  Spending& spending_;
+};
+
 }  // namespace
 
 struct SatSolver::Backend {
+  std::unique_ptr<Meter> meter;  // Outlives the solver, which points at it.
   CaDiCaL::Solver solver;
 };
 
@@ -28,6 +45,8 @@ SatSolver::SatSolver(int variables) : backend_(std::make_unique<Backend>()), var
   solver.set("lucky", 0);
   solver.set("walk", 0);
   solver.set("elim", 0);
+  // Each step is counted, so that what is spent does not depend on how steps fall between polls.
+  solver.set("terminateint", 0);
   solver.reserve(variables);
 }
 
@@ -47,7 +66,17 @@ void SatSolver::Once(std::span<const Literal> clause) {
   backend_->solver.constrain(0);
 }
 
+void SatSolver::Charge(Spending& spending) {
+  backend_->meter = std::make_unique<Meter>(spending);
+  backend_->solver.connect_terminator(backend_->meter.get());
+}
+
 SatResult SatSolver::Solve(int conflicts) {
+  if (backend_->meter && backend_->meter->terminate()) {
+    backend_->solver.reset_assumptions();
+    backend_->solver.reset_constraint();
+    return SatResult::kLimit;
+  }
   if (conflicts >= 0) backend_->solver.limit("conflicts", conflicts);
   const int result = backend_->solver.solve();
   if (result == kSatisfiableCode) return SatResult::kSatisfiable;

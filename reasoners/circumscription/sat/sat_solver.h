@@ -9,6 +9,8 @@
 
 namespace latchwork::circumscription {
 
+class Spending;
+
 enum class SatResult : std::uint8_t { kSatisfiable, kUnsatisfiable, kLimit };
 
 /// An incremental SAT solver: clauses stay, assumptions and the one-shot clause hold for the next
@@ -36,6 +38,9 @@ class SatSolver {
   }
   /// A clause for the next call only; at most one, not empty.
   void Once(std::span<const Literal> clause);
+  /// From now on each call, and each decision within one, is a step of `spending`, which outlives
+  /// the solver; where it is spent, calls end with kLimit.
+  void Charge(Spending& spending);
   /// `conflicts` < 0: without a limit.
   SatResult Solve(int conflicts = -1);
 

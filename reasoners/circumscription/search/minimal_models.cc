@@ -12,11 +12,13 @@ SatSolver WithClauses(const CompiledTheory& theory) {
 
 }  // namespace
 
-MinimalModels::MinimalModels(const CompiledTheory& theory, int conflicts)
+MinimalModels::MinimalModels(const CompiledTheory& theory, int conflicts, Spending* spending)
     : theory_(theory),
       solver_(WithClauses(theory)),
       formulas_(theory, solver_),
-      conflicts_(conflicts) {}
+      conflicts_(conflicts) {
+  if (spending != nullptr) solver_.Charge(*spending);
+}
 
 SatResult MinimalModels::Solve(Model& model) {
   ++calls_;

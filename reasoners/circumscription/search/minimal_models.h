@@ -17,7 +17,8 @@ namespace latchwork::circumscription {
 class MinimalModels {
  public:
   /// `theory` must outlive the object. `conflicts`: limit of each SAT call, < 0 without.
-  MinimalModels(const CompiledTheory& theory, int conflicts);
+  /// `spending`: what SAT calls are charged to, if to anything; it outlives the object.
+  MinimalModels(const CompiledTheory& theory, int conflicts, Spending* spending = nullptr);
 
   /// A model of the theory in which `latches` and `required` hold. Minimal models are among the
   /// candidates; the more is learnt, the fewer others.

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
 #include <functional>
 #include <set>
 #include <string>
@@ -109,6 +112,75 @@ TEST(SearchTest, ContradictionsHaveALeastCore) {
   EXPECT_THAT(mind.decision.message, HasSubstr("clauses 'a', 'b', 'c' with seen(box), ghost(box)"));
   EXPECT_THAT(mind.Conclusions(), IsEmpty());
 }
+
+/// The way is safe, or eight pigeons are in seven holes: to see that they are not takes a search.
+std::string Pigeons() {
+  std::string text =
+      "fof(way, axiom, trapped | safe).\n"
+      "fof(go, axiom, safe => go).\n"
+      "fof(one, axiom, ! [P, Q, H] : ~ (in(P, H) & in(Q, H) & less(P, Q))).\n"
+      "fof(some, axiom, ! [P] : ((trapped & pigeon(P)) => (";
+  for (int hole = 0; hole < 7; ++hole) text += fmt::format("{}in(P, h{})", hole ? " | " : "", hole);
+  text += "))).\n";
+  for (int p = 0; p < 8; ++p) {
+    text += fmt::format("fof(p, axiom, pigeon(p{})).\n", p);
+    for (int q = p + 1; q < 8; ++q) text += fmt::format("fof(l, axiom, less(p{}, p{})).\n", p, q);
+  }
+  return text;
+}
+
+class SearchBudgetTest : public ::testing::TestWithParam<const char*> {
+ protected:
+  void Load(CircumscribingMind& mind) {
+    mind.Goal("go");
+    mind.Parameter("mode", "exact");
+    mind.Parameter("entailment", GetParam());
+    mind.Load();
+  }
+};
+
+TEST_P(SearchBudgetTest, InferencesAreCountedInSearch) {
+  CircumscribingMind mind(Pigeons());
+  Load(mind);
+  EXPECT_EQ(mind.Decide().status, sdk::Status::kProved);
+  const std::uint64_t needed = mind.decision.statistics.inferences;
+  EXPECT_EQ(mind.decision.limit, sdk::Limit::kNone);
+  CircumscribingMind again(Pigeons());
+  Load(again);
+  again.budget.inferences = needed + 1;
+  EXPECT_EQ(again.Decide().status, sdk::Status::kProved);
+  EXPECT_EQ(again.decision.statistics.inferences, needed);
+  CircumscribingMind poor(Pigeons());
+  Load(poor);
+  poor.budget.inferences = needed - 1;
+  EXPECT_EQ(poor.Decide().status, sdk::Status::kUnknown);
+  EXPECT_EQ(poor.decision.limit, sdk::Limit::kInferences);
+  EXPECT_EQ(poor.decision.statistics.inferences, needed - 1);
+  poor.budget.inferences = 2 * needed;
+  EXPECT_EQ(poor.Decide().status, sdk::Status::kProved);
+  EXPECT_EQ(poor.decision.limit, sdk::Limit::kNone);
+}
+
+TEST_P(SearchBudgetTest, CancellingEndsTheSearch) {
+  CircumscribingMind mind(Pigeons());
+  Load(mind);
+  const std::atomic<bool> cancelled = true;
+  mind.budget.cancelled = &cancelled;
+  EXPECT_EQ(mind.Decide().status, sdk::Status::kUnknown);
+  EXPECT_EQ(mind.decision.limit, sdk::Limit::kCancelled);
+}
+
+TEST_P(SearchBudgetTest, TheDeadlineEndsTheSearch) {
+  CircumscribingMind mind(Pigeons());
+  Load(mind);
+  mind.budget.deadline = std::chrono::steady_clock::time_point::min();
+  EXPECT_EQ(mind.Decide().status, sdk::Status::kUnknown);
+  EXPECT_EQ(mind.decision.limit, sdk::Limit::kTime);
+  EXPECT_LT(mind.decision.statistics.inferences, 1024U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Entailments, SearchBudgetTest, ::testing::Values("cautious", "brave"),
+                         [](const auto& each) { return std::string(each.param); });
 
 TEST(SearchTest, PrioritiesDecideWhichDefaultYields) {
   const char* const theory =
