@@ -72,15 +72,16 @@ void SatSolver::Charge(Spending& spending) {
 }
 
 SatResult SatSolver::Solve(int conflicts) {
-  if (backend_->meter && backend_->meter->terminate()) {
-    backend_->solver.reset_assumptions();
-    backend_->solver.reset_constraint();
-    return SatResult::kLimit;
-  }
-  if (conflicts >= 0) backend_->solver.limit("conflicts", conflicts);
-  const int result = backend_->solver.solve();
+  CaDiCaL::Solver& solver = backend_->solver;
+  if (conflicts >= 0) solver.limit("conflicts", conflicts);
+  const bool is_spent = backend_->meter && backend_->meter->terminate();
+  const int result = is_spent ? 0 : solver.solve();
   if (result == kSatisfiableCode) return SatResult::kSatisfiable;
-  return result == kUnsatisfiableCode ? SatResult::kUnsatisfiable : SatResult::kLimit;
+  if (result == kUnsatisfiableCode) return SatResult::kUnsatisfiable;
+  // The backend keeps for the next call what was meant for this one.
+  solver.reset_assumptions();
+  solver.reset_constraint();
+  return SatResult::kLimit;
 }
 
 bool SatSolver::Value(Literal literal) { return backend_->solver.val(literal) > 0; }

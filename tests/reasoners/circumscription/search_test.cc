@@ -113,18 +113,18 @@ TEST(SearchTest, ContradictionsHaveALeastCore) {
   EXPECT_THAT(mind.Conclusions(), IsEmpty());
 }
 
-/// The way is safe, or eight pigeons are in seven holes: to see that they are not takes a search.
+/// The way is safe, or six pigeons are in five holes: to see that they are not takes a search.
 std::string Pigeons() {
   std::string text =
       "fof(way, axiom, trapped | safe).\n"
       "fof(go, axiom, safe => go).\n"
       "fof(one, axiom, ! [P, Q, H] : ~ (in(P, H) & in(Q, H) & less(P, Q))).\n"
       "fof(some, axiom, ! [P] : ((trapped & pigeon(P)) => (";
-  for (int hole = 0; hole < 7; ++hole) text += fmt::format("{}in(P, h{})", hole ? " | " : "", hole);
+  for (int hole = 0; hole < 5; ++hole) text += fmt::format("{}in(P, h{})", hole ? " | " : "", hole);
   text += "))).\n";
-  for (int p = 0; p < 8; ++p) {
+  for (int p = 0; p < 6; ++p) {
     text += fmt::format("fof(p, axiom, pigeon(p{})).\n", p);
-    for (int q = p + 1; q < 8; ++q) text += fmt::format("fof(l, axiom, less(p{}, p{})).\n", p, q);
+    for (int q = p + 1; q < 6; ++q) text += fmt::format("fof(l, axiom, less(p{}, p{})).\n", p, q);
   }
   return text;
 }
@@ -156,7 +156,7 @@ TEST_P(SearchBudgetTest, InferencesAreCountedInSearch) {
   EXPECT_EQ(poor.Decide().status, sdk::Status::kUnknown);
   EXPECT_EQ(poor.decision.limit, sdk::Limit::kInferences);
   EXPECT_EQ(poor.decision.statistics.inferences, needed - 1);
-  poor.budget.inferences = 2 * needed;
+  poor.budget = {};
   EXPECT_EQ(poor.Decide().status, sdk::Status::kProved);
   EXPECT_EQ(poor.decision.limit, sdk::Limit::kNone);
 }
@@ -176,7 +176,11 @@ TEST_P(SearchBudgetTest, TheDeadlineEndsTheSearch) {
   mind.budget.deadline = std::chrono::steady_clock::time_point::min();
   EXPECT_EQ(mind.Decide().status, sdk::Status::kUnknown);
   EXPECT_EQ(mind.decision.limit, sdk::Limit::kTime);
-  EXPECT_LT(mind.decision.statistics.inferences, 1024U);
+  const std::uint64_t grounding = mind.decision.statistics.inferences;
+  EXPECT_LT(grounding, 1024U) << "so that evaluation does not look at the clock itself";
+  mind.budget = {};
+  EXPECT_EQ(mind.Decide().status, sdk::Status::kProved);
+  EXPECT_GT(mind.decision.statistics.inferences, grounding);
 }
 
 INSTANTIATE_TEST_SUITE_P(Entailments, SearchBudgetTest, ::testing::Values("cautious", "brave"),
