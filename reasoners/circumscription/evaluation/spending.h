@@ -14,6 +14,7 @@ class Spending {
   void Begin(const sdk::Budget& budget) {
     budget_ = budget;
     inferences_ = 0;
+    attachment_calls = 0;
     limit_ = sdk::Limit::kNone;
   }
   void Infer() {

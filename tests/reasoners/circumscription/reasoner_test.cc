@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "tests/reasoners/circumscription/circumscribing_mind.h"
+#include "tests/reasoners/icarus/test_attachments.h"
 
 namespace latchwork::circumscription {
 namespace {
@@ -40,6 +42,20 @@ void LoadReflex(CircumscribingMind& mind) {
   mind.Goal("halt");
   mind.Parameter("mode", "exact");
   mind.Load();
+}
+
+TEST(CircumscriptionReasonerTest, AttachmentCalls_AreThoseOfTheDecision) {
+  CircumscribingMind mind(
+      "fof(half, axiom, ! [N, H, R] : ((number(N) & halves(N, H, R)) => half(H))).");
+  mind.Input("number", 1);
+  mind.body.attachments.push_back(std::make_shared<icarus::testing::Halves>());
+  mind.Goal("half(H)");
+  mind.Parameter("mode", "exact");
+  mind.Load();
+  for (const int number : {4, 6, 8}) {
+    mind.Latch(0, {"number(" + std::to_string(number) + ")"});
+    EXPECT_EQ(mind.Decide().statistics.attachment_calls, 1U) << number;
+  }
 }
 
 TEST(CircumscriptionReasonerTest, ConcludesFromADefault) {
