@@ -90,7 +90,8 @@ bool IsRight(const Contender& contender, const plugin::Registry& registry, int& 
   if (diagnostics.empty() && !language.empty() && language != "tptp") {
     diagnostics.push_back({{"--reasoners", 0, 0},
                            fmt::format("{} reads no theories", contender.name),
-                           "take one whose language is tptp", ""});
+                           "take one whose language is tptp",
+                           ""});
   }
   if (diagnostics.empty()) return true;
   fmt::print(stderr, "{}", Format(diagnostics));
