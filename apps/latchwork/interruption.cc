@@ -6,6 +6,8 @@
 namespace latchwork::app {
 namespace {
 
+// A signal handler is given nothing, so this is the process's, and hidden here.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
