@@ -8,27 +8,16 @@
 #include <vector>
 
 #include "tests/reasoners/circumscription/circumscribing_mind.h"
+#include "tests/reasoners/pttp/reflex_setting.h"
 
 namespace latchwork::circumscription {
 namespace {
 
-constexpr const char* kReflex =
-    "fof(ahead, axiom, ! [O, D, G] : ((object(O) & distance(O, D) & gap(G) & $less(D, G))\n"
-    "    => halt_robot)).\n"
-    "fof(touched, axiom, bumper => halt_robot).\n"
-    "fof(go, axiom, ! [V] : ((~ halt_robot & speed(V)) => fwd(V))).\n";
-
 class ExplanationTest : public ::testing::Test {
  protected:
-  ExplanationTest() : mind_(kReflex) {
-    for (const char* name : {"object", "gap", "speed"}) mind_.Input(name, 1);
-    mind_.Input("distance", 2);
-    mind_.Input("bumper", 0);
-    mind_.Minimize("halt_robot", 0);
-    mind_.Goal("fwd(V)");
+  ExplanationTest() : mind_(pttp::kReflex) {
     mind_.Parameter("mode", "exact");
-    mind_.Load();
-    mind_.Latch(0, {"speed(0.3)", "gap(0.5)"});
+    pttp::PrepareReflex(mind_);
   }
 
   CircumscribingMind mind_;
@@ -311,7 +300,7 @@ TEST(SpentExplanationTest, NothingIsExplainedWhereTheBudgetRanOut) {
 }
 
 TEST(BoundedExplanationTest, ReasonsAreTheProvers) {
-  CircumscribingMind mind(kReflex);
+  CircumscribingMind mind(pttp::kReflex);
   mind.Goal("fwd(V)");
   mind.Input("speed", 1);
   for (const char* name : {"object", "gap"}) mind.Input(name, 1);

@@ -8,27 +8,14 @@
 
 #include "latchwork/sdk/explanation.h"
 #include "tests/reasoners/pttp/agent_mind.h"
+#include "tests/reasoners/pttp/reflex_setting.h"
 
 namespace latchwork::pttp {
 namespace {
 
-constexpr const char* kReflex =
-    "fof(ahead, axiom, ! [O, D, G] : ((object(O) & distance(O, D) & gap(G) & $less(D, G))\n"
-    "    => halt_robot)).\n"
-    "fof(touched, axiom, bumper => halt_robot).\n"
-    "fof(go, axiom, ! [V] : ((~ halt_robot & speed(V)) => fwd(V))).\n";
-
 class ReasonsTest : public ::testing::Test {
  protected:
-  ReasonsTest() : mind_(kReflex) {
-    for (const char* name : {"object", "gap", "speed"}) mind_.Input(name, 1);
-    mind_.Input("distance", 2);
-    mind_.Input("bumper", 0);
-    mind_.Minimize("halt_robot", 0);
-    mind_.Goal("fwd(V)");
-    mind_.Load();
-    mind_.Latch(0, {"speed(0.3)", "gap(0.5)"});
-  }
+  ReasonsTest() : mind_(kReflex) { PrepareReflex(mind_); }
 
   std::string WhyNot(const char* pattern) {
     const auto explanation = mind_.reasoner.WhyNot(mind_.Atom(pattern));
