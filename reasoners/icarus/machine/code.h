@@ -79,12 +79,20 @@ struct CallCode {
     kEffect,  ///< Of the host, and asked each time that it is met.
   };
   Kind kind = Kind::kHost;
-  bool fixed = false;          ///< Always has the same arguments.
+  bool comparable = false;     ///< Its arguments are values and variables, and nothing else.
   std::uint32_t function = 0;  ///< Builtin, or index of the host's function.
   NameId name = kNoName;
   std::uint32_t first = 0;  ///< Arguments, in CompiledProgram::terms.
   std::uint32_t count = 0;
+  std::uint32_t first_slot = 0;  ///< comparable: its variables, in CompiledProgram::slots.
+  std::uint32_t slots = 0;
   FormId form = kNoForm;
+};
+
+/// An argument of a call that is a variable.
+struct ArgumentSlot {
+  std::uint32_t argument = 0;
+  std::uint32_t slot = 0;
 };
 
 /// A means, or a step of a sequence: where its code is and which skill it calls.
@@ -109,6 +117,7 @@ struct CompiledProgram {
   std::vector<Instruction> instructions;
   std::vector<TermCode> terms;
   std::vector<CallCode> calls;
+  std::vector<ArgumentSlot> slots;
   std::vector<Branch> branches;
   std::vector<SkillCode> skills;  ///< Of Program::skills.
   std::vector<Value> facts;

@@ -273,14 +273,27 @@ class Compiler {
     made.form = term.form;
     made.name = names_.Intern(term.text);
     made.count = static_cast<std::uint32_t>(term.items.size());
-    made.fixed = std::all_of(term.items.begin(), term.items.end(), IsGround);
     made.first = AddTerms(term.items);
+    AddSlots(made);
     if (act) {
       CheckAct(term);
     } else {
       Resolve(term, made);
     }
     return made;
+  }
+
+  /// Where the arguments may differ from one time that the call is met to the next.
+  void AddSlots(CallCode& made) {
+    made.first_slot = static_cast<std::uint32_t>(code_.slots.size());
+    made.comparable = true;
+    for (std::uint32_t i = 0; i < made.count; ++i) {
+      const TermCode& term = code_.terms[made.first + i];
+      if (term.kind == TermCode::Kind::kVariable) code_.slots.push_back({i, term.a});
+      made.comparable &=
+          term.kind == TermCode::Kind::kValue || term.kind == TermCode::Kind::kVariable;
+    }
+    made.slots = static_cast<std::uint32_t>(code_.slots.size()) - made.first_slot;
   }
 
   void Resolve(const Term& term, CallCode& made) {

@@ -175,14 +175,20 @@ class Machine {
   bool TakeApart(const Instruction& instruction);
   void SetVariable(Index at, const Value& value);
   void UndoBindings(std::size_t mark);
-  Value CallFunction(std::uint32_t index, Index base);
+  Value CallFunction(std::uint32_t index, Index base) {
+    const CallCode& call = code_.calls[index];
+    if (call.kind == CallCode::Kind::kHost) return CallHost(call, index, base);
+    return CallOther(call, base);
+  }
+  Value CallOther(const CallCode& call, Index base);
   bool PushArguments(const CallCode& call, Index base);
   std::span<const Value> Arguments(std::size_t mark) const {
     return {scratch_.data() + mark, scratch_.size() - mark};
   }
   Value AskHost(const CallCode& call, std::span<const Value> arguments);
-  Value CallHost(std::uint32_t index, Index base);
-  SensorCache::Call* Recall(std::uint32_t index, Index base);
+  Value CallHost(const CallCode& call, std::uint32_t index, Index base);
+  bool IsAsBefore(const CallCode& call, const SensorCache::Call& last, Index base) const;
+  SensorCache::Call* FindCall(const CallCode& call, std::uint32_t index, Index base);
   void FailHost(const CallCode& call, std::span<const Value> arguments, const char* error);
   Value CallBuiltin(const CallCode& call, std::span<const Value> arguments);
   Value Compare(Builtin builtin, const Value& a, const Value& b);

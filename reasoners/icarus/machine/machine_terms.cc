@@ -165,9 +165,7 @@ bool Machine::PushArguments(const CallCode& call, Index base) {
   return true;
 }
 
-Value Machine::CallFunction(std::uint32_t index, Index base) {
-  const CallCode& call = code_.calls[index];
-  if (call.kind == CallCode::Kind::kHost) return CallHost(index, base);
+Value Machine::CallOther(const CallCode& call, Index base) {
   if (call.kind == CallCode::Kind::kChange) return ChangeMemory(call, base);
   const std::size_t mark = scratch_.size();
   if (!PushArguments(call, base)) return {};
@@ -178,36 +176,38 @@ Value Machine::CallFunction(std::uint32_t index, Index base) {
   return answer;
 }
 
-/// The call that was asked here last, if it is the same again. Only what variables stand for can
-/// differ.
-SensorCache::Call* Machine::Recall(std::uint32_t index, Index base) {
-  SensorCache::Call* const last = cache_.Last(index);
-  const CallCode& call = code_.calls[index];
-  if (last == nullptr || call.fixed) return last;
-  const TermCode* const terms = code_.terms.data() + call.first;
-  for (std::uint32_t i = 0; i < last->count; ++i) {
-    if (terms[i].kind == TermCode::Kind::kValue) continue;
-    if (terms[i].kind != TermCode::Kind::kVariable) return nullptr;
-    if (!Equal(frames_[base + terms[i].a], last->arguments[i])) return nullptr;
+/// Whether the call is the same as it was when it was asked here last.
+inline bool Machine::IsAsBefore(const CallCode& call, const SensorCache::Call& last,
+                                Index base) const {
+  const ArgumentSlot* const slots = code_.slots.data() + call.first_slot;
+  for (std::uint32_t i = 0; i < call.slots; ++i) {
+    if (!Equal(frames_[base + slots[i].slot], last.arguments[slots[i].argument])) return false;
   }
-  return last;
+  return call.comparable;
 }
 
-Value Machine::CallHost(std::uint32_t index, Index base) {
-  const CallCode& call = code_.calls[index];
-  SensorCache::Call* known = Recall(index, base);
-  if (known == nullptr) {
-    const std::size_t mark = scratch_.size();
-    if (!PushArguments(call, base)) return {};
-    known = &cache_.Find(index, call.function, Arguments(mark));
-    scratch_.Shrink(mark);
+/// The call as the cache knows it; null: an argument has no value.
+SensorCache::Call* Machine::FindCall(const CallCode& call, std::uint32_t index, Index base) {
+  const std::size_t mark = scratch_.size();
+  if (!PushArguments(call, base)) return nullptr;
+  SensorCache::Call* const found = &cache_.Find(index, call.function, Arguments(mark));
+  scratch_.Shrink(mark);
+  return found;
+}
+
+Value Machine::CallHost(const CallCode& call, std::uint32_t index, Index base) {
+  SensorCache::Call* known = cache_.Last(index);
+  if (known == nullptr || !IsAsBefore(call, *known, base)) {
+    known = FindCall(call, index, base);
+    if (known == nullptr) return {};
   }
   if (cache_.IsAnswered(*known)) {
     if (traced()) TraceHost(EventKind::kKnown, call, known->values(), known->answer);
-  } else {
-    cache_.Keep(*known, AskHost(call, known->values()));
+    return known->answer;
   }
-  return known->answer;
+  const Value answer = AskHost(call, known->values());
+  cache_.Keep(*known, answer);
+  return answer;
 }
 
 Value Machine::AskHost(const CallCode& call, std::span<const Value> arguments) {

@@ -104,8 +104,11 @@ class Arena {
   /// Takes its memory from the system in blocks, each twice as large as the one before, up to this
   /// size: what lives for a cycle or two does not pay for what runs for hours.
   explicit Arena(std::size_t block_bytes = 1U << 16U) : block_bytes_(block_bytes) {}
+  Arena(const Arena&) = delete;
+  Arena& operator=(const Arena&) = delete;
   Arena(Arena&& other) noexcept { *this = std::move(other); }
   Arena& operator=(Arena&& other) noexcept;
+  ~Arena() = default;
 
   void* Allocate(std::size_t bytes) {
     bytes = (bytes + alignof(Value) - 1) / alignof(Value) * alignof(Value);
