@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include <system_error>
 #include <vector>
 
+#include "apps/compare/runs/serve_runs.h"
 #include "apps/latchwork/command.h"
 #include "apps/latchwork/standard_streams.h"
 #include "latchwork/logic/diagnostic.h"
@@ -60,6 +62,35 @@ std::filesystem::path ExecutablePath(const char* invoked_as) {
   return error ? std::filesystem::path(invoked_as) : path;
 }
 
+struct Command {
+  std::string_view name;
+  void (*add)(CLI::App&, Context&);
+};
+
+constexpr std::array<Command, 13> kCommands{{{"run", &AddRun},
+                                             {"check", &AddCheck},
+                                             {"prove", &AddProve},
+                                             {"check-proof", &AddCheckProof},
+                                             {"entail", &AddEntail},
+                                             {"semantics", &AddSemantics},
+                                             {"explain", &AddExplain},
+                                             {"compare", &AddCompare},
+                                             {compare::kForkServerCommand, &AddForkServer},
+                                             {"diff-reasoners", &AddDiffReasoners},
+                                             {"replay", &AddReplay},
+                                             {"icarus", &AddIcarus},
+                                             {"plugin", &AddPlugin}}};
+
+/// The one that is asked for, so that none pays for the options of all; where that is not plain,
+/// all of them.
+void AddCommands(CLI::App& app, const std::vector<std::string>& words, Context& context) {
+  const auto* const asked = std::ranges::find_if(kCommands, [&](const Command& command) {
+    return words.size() > 1 && command.name == words[1];
+  });
+  if (asked != kCommands.end()) return asked->add(app, context);
+  for (const Command& command : kCommands) command.add(app, context);
+}
+
 int Parse(const std::vector<std::string>& words, Context& context) {
   CLI::App app("latchwork: robots controlled by layers of reasoning", "latchwork");
   app.footer(std::string(kExitCodes));
@@ -69,19 +100,7 @@ int Parse(const std::vector<std::string>& words, Context& context) {
                  "Folder to search for plugins first; may be repeated")
       ->allow_extra_args(false);
   app.fallthrough();
-  AddRun(app, context);
-  AddCheck(app, context);
-  AddProve(app, context);
-  AddCheckProof(app, context);
-  AddEntail(app, context);
-  AddSemantics(app, context);
-  AddExplain(app, context);
-  AddCompare(app, context);
-  AddForkServer(app, context);
-  AddDiffReasoners(app, context);
-  AddReplay(app, context);
-  AddIcarus(app, context);
-  AddPlugin(app, context);
+  AddCommands(app, words, context);
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend() - 1));
   } catch (const CLI::Success& success) {
