@@ -32,6 +32,12 @@ TEST(RunRecordTest, OutcomesOfSummaries) {
   EXPECT_EQ(JudgeOutput(R"({"outcome":"failed"})").outcome, Outcome::kFailed);
 }
 
+TEST(RunRecordTest, TimeIsTheWorldsElseThatOfTheTicks) {
+  EXPECT_EQ(JudgeOutput(R"({"ticks":40,"tick_s":0.25,"measures":{"time_s":7.5}})").time_s, 7.5);
+  EXPECT_EQ(JudgeOutput(R"({"ticks":40,"tick_s":0.25,"measures":{"time_s":0}})").time_s, 0.0);
+  EXPECT_EQ(JudgeOutput(R"({"ticks":40,"tick_s":0.25,"measures":{"collisions":0}})").time_s, 10.0);
+}
+
 TEST(RunRecordTest, RunThatDidNotBegin_IsInvalidAndSaysWhy) {
   const RunRecord record =
       JudgeOutput(R"({"outcome":"did not begin","measures":{},"errors":"a.xml:1:2: no\n  hint"})");

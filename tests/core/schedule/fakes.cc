@@ -39,7 +39,9 @@ void FakeWorld::Observe(std::uint64_t tick, std::span<sdk::Batch> sensors) {
 void FakeWorld::Apply(std::uint64_t tick, std::span<const sdk::Batch> effectors) {
   calls.push_back(fmt::format("apply {}", tick));
   auto& now = told.emplace_back();
+  updated.emplace_back();
   for (const sdk::Batch& batch : effectors) {
+    updated.back().push_back(batch.updated);
     auto& facts = now.emplace_back();
     for (const logic::Fact& fact : batch.facts) facts.push_back(logic::ToString(fact));
   }

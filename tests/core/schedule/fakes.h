@@ -29,6 +29,7 @@ class FakeWorld : public sdk::World {
   std::function<sdk::Outcome()> say_outcome;
   logic::Diagnostics load_diagnostics;
   std::vector<std::vector<std::vector<std::string>>> told;  ///< [tick][effector][fact]
+  std::vector<std::vector<bool>> updated;                   ///< [tick][effector]
   std::vector<std::string> calls;
 
   const sdk::Contract& contract() const override { return shape; }

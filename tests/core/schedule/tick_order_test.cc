@@ -84,6 +84,15 @@ TEST_F(TickOrderTest, PeriodAndPhaseSayWhenALayerIsDueAndTheEffectorHoldsInBetwe
   EXPECT_EQ(fake.reasoner(low).decide_calls, 3U);
 }
 
+TEST_F(TickOrderTest, EffectorIsUpdatedInTheTicksInWhichItIsTold) {
+  fake.description(low).period = 2;
+  fake.description(low).phase = 1;
+  Run();
+  EXPECT_THAT(fake.world->updated,
+              ElementsAre(ElementsAre(false), ElementsAre(true), ElementsAre(false),
+                          ElementsAre(true), ElementsAre(false), ElementsAre(true)));
+}
+
 TEST_F(TickOrderTest, EffectorIsToldNothingOnceTheWireIsStale) {
   fake.description(low).period = 4;
   fake.agent.wires[1].stale_after = 2;
