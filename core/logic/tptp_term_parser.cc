@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/logic/decimal.h"
 #include "core/logic/interpreted.h"
 
 namespace latchwork::logic {
@@ -155,13 +156,18 @@ bool TptpTermParser::ReadNumber() {
     std::int64_t value = 0;
     if (std::from_chars(digits.data(), end, value).ec != std::errc()) {
       return cursor_.Fail("integer does not fit into 64 bits",
-                          "write it as a real: " + std::string(digits.substr(0, 40)) + ".0");
+                          "use a constant: 'n" + std::string(digits.substr(0, 40)) + "'");
     }
     values_.push_back(Term::Integer(value));
   } else {
     double value = 0;
     if (std::from_chars(digits.data(), end, value).ec != std::errc()) {
       return cursor_.Fail("real is beyond the range of a double");
+    }
+    const std::string shortest = ToString(Term::Real(value));
+    if (!AreEqualNumerals(digits, shortest)) {
+      return cursor_.Fail("real has more digits than a double can tell apart",
+                          "write " + shortest + " if that is near enough");
     }
     values_.push_back(Term::Real(value));
   }

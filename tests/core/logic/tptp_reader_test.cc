@@ -82,6 +82,11 @@ TEST_F(TptpReaderTest, TypedFormulas_AreReadWithoutTypes) {
             "! [X, Y] : p(X, Y)");
 }
 
+TEST_F(TptpReaderTest, Numerals_AreReadHoweverTheyAreWritten) {
+  EXPECT_EQ(ReadFof("p(0.1, 0.100, +1.50E2, 1E22, -0.0, 000.25e-3, 9007199254740993)"),
+            "p(0.1, 0.1, 150.0, 1e+22, -0.0, 0.00025, 9007199254740993)");
+}
+
 TEST_F(TptpReaderTest, Roles_FoldIntoThree) {
   const TptpFile file = Read(
       "fof(a, lemma, p). fof(1, conjecture, p). cnf('B b', negated_conjecture, p).\n"
