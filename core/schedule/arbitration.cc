@@ -25,7 +25,7 @@ Arbitration::Arbitration(const Agent& agent)
 
 void Arbitration::AddEffectors(const Agent& agent) {
   for (const sdk::PortSpec& port : agent.world->contract().inputs) {
-    effectors_.push_back({PortContract(port, *agent.symbols), {}, 1, 0});
+    effectors_.push_back({PortContract(port, *agent.symbols), {}, 1, std::nullopt});
   }
   commands_.resize(effectors_.size());
   for (const config::Wire& wire : wires_) {

@@ -33,9 +33,17 @@ TEST(RunRecordTest, OutcomesOfSummaries) {
 }
 
 TEST(RunRecordTest, TimeIsTheWorldsElseThatOfTheTicks) {
-  EXPECT_EQ(JudgeOutput(R"({"ticks":40,"tick_s":0.25,"measures":{"time_s":7.5}})").time_s, 7.5);
-  EXPECT_EQ(JudgeOutput(R"({"ticks":40,"tick_s":0.25,"measures":{"time_s":0}})").time_s, 0.0);
-  EXPECT_EQ(JudgeOutput(R"({"ticks":40,"tick_s":0.25,"measures":{"collisions":0}})").time_s, 10.0);
+  EXPECT_EQ(
+      JudgeOutput(R"({"outcome":"reached","ticks":40,"tick_s":0.25,"measures":{"time_s":7.5}})")
+          .time_s,
+      7.5);
+  EXPECT_EQ(JudgeOutput(R"({"outcome":"reached","ticks":40,"tick_s":0.25,"measures":{"time_s":0}})")
+                .time_s,
+            0.0);
+  EXPECT_EQ(
+      JudgeOutput(R"({"outcome":"reached","ticks":40,"tick_s":0.25,"measures":{"collisions":0}})")
+          .time_s,
+      10.0);
 }
 
 TEST(RunRecordTest, RunThatDidNotBegin_IsInvalidAndSaysWhy) {
