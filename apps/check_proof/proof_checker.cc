@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "apps/check_proof/entailment.h"
+#include "apps/check_proof/ground_arithmetic.h"
 #include "apps/check_proof/normal_form.h"
 #include "apps/check_proof/skolem_check.h"
 #include "apps/check_proof/source_term.h"
@@ -143,9 +144,19 @@ class Checker {
     const std::string kind = source.arguments.empty() ? "" : source.arguments[0].name;
     if (kind == "definition") return CheckDefinition(step);
     step.is_instance = true;
-    if (kind == "theory") return Unchecked("facts of arithmetic are not checked");
+    if (kind == "theory") return CheckTheory(step, source);
     if (kind != "tautology") return Unchecked("'" + kind + "' is not known here");
     return Judge(Entails({}, step.formula->formula, symbols_), "it is no tautology");
+  }
+
+  Finding CheckTheory(const Step& step, const SourceTerm& source) {
+    const SourceTerm* const theories = source.List(1);
+    const bool is_arithmetic = theories != nullptr && theories->arguments.size() == 1 &&
+                               theories->arguments[0].name == "theory" &&
+                               theories->arguments[0].arguments.size() == 1 &&
+                               theories->arguments[0].arguments[0].name == "arithmetic";
+    if (!is_arithmetic) return Unchecked("facts of this theory are not checked");
+    return Judge(IsTrueByArithmetic(step.formula->formula), "it is not true by arithmetic");
   }
 
   Finding CheckDefinition(Step& step) {

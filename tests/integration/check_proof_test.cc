@@ -276,12 +276,60 @@ TEST_F(CheckProofTest, Leaves_AreTheTextOfTheProblem) {
 TEST_F(CheckProofTest, WhatCannotBeChecked_IsSaid) {
   Prove("cnf(a, axiom, p). cnf(b, axiom, ~ p).");
   const CommandResult result = Check(
-      "cnf(t, plain, $less(1, 2), introduced(theory,[theory(arithmetic)],[])).\n"
+      "cnf(t, plain, subset(a, a), introduced(theory,[theory(sets)],[])).\n"
       "cnf(a, axiom, p, file('problem.p', a)).\ncnf(b, axiom, ~ p, file('problem.p', b)).\n"
       "cnf(z, plain, $false, inference(resolution,[status(thm)],[a,b,t])).\n");
   EXPECT_EQ(result.exit_code, kUnchecked);
   EXPECT_THAT(result.err, HasSubstr("step 't': not checked: "));
   EXPECT_THAT(result.out, HasSubstr("not checked: 3 steps verified, 0 rejected, 1 not checked"));
+}
+
+constexpr std::string_view kComputing = R"(
+tff(a, axiom, level(0)).
+tff(b, axiom, ! [X: $int] : ((level(X) & $less(X, 2)) => level($sum(X, 1)))).
+tff(d, axiom, ! [X: $int] : (level(X) => share($quotient(X, 2), $to_int(2.5)))).
+tff(c, conjecture, level(2) & share($quotient(2, 2), 2) & 0.5 != 0.25).
+)";
+
+TEST_F(CheckProofTest, ArithmeticSteps_AreComputedAnew) {
+  const std::string proof = Prove(kComputing);
+  EXPECT_THAT(proof, HasSubstr("introduced(theory,[theory(arithmetic)],[])"));
+  const CommandResult result = Check(proof);
+  EXPECT_EQ(result.exit_code, kVerified) << result.err;
+  for (const auto& [right, wrong] :
+       {std::pair{"$less(1, 2)", "$less(2, 2)"},
+        {"~ level($sum(1, 1)) | level(2)", "~ level($sum(1, 1)) | level(3)"},
+        {"$to_int(2.5)) | share(1, 2)", "$to_int(2.5)) | share(1, 3)"}}) {
+    const CommandResult changed = Check(Replaced(proof, right, wrong));
+    EXPECT_EQ(changed.exit_code, kRejected) << proof;
+    EXPECT_THAT(changed.err, HasSubstr("it is not true by arithmetic")) << wrong;
+  }
+}
+
+TEST_F(CheckProofTest, ArithmeticOfSteps_IsExact) {
+  const auto step = [](std::string_view clause) {
+    return fmt::format("cnf(t, plain, {}, introduced(theory,[theory(arithmetic)],[])).\n", clause);
+  };
+  Prove("cnf(a, axiom, p). cnf(b, axiom, ~ p).");
+  for (const char* const clause :
+       {"$sum(0.1, 0.2) = 0.3", "$quotient(6, 3) = 2", "$quotient_e(-7, 2) = -4",
+        "$remainder_e(-7, -2) = 1", "$round(2.5) = 2.0", "$truncate(-2.5) = -2.0",
+        "$ceiling($uminus(2.5)) = -2.0", "$less(1.0E-3, 0.0011)", "$is_int(2.0)",
+        "p(f($max(1, 2))) | ~ p(f($abs(-2)))", "$min(X, 1) = $min(X, $sum(0, 1))"}) {
+    EXPECT_THAT(Check(step(clause)).err, Not(HasSubstr("step 't'"))) << clause;
+  }
+  for (const char* const clause :
+       {"$sum(0.1, 0.2) != 0.3", "$quotient(7, 3) = 2", "$less(2, 2)", "$is_int(2.5)", "2 = 2.0",
+        "p(1) | ~ p(1.0)", "$quotient(1, 0) = 0", "$less(X, $sum(X, 1))", "p(1) | p(1)"}) {
+    EXPECT_THAT(Check(step(clause)).err, HasSubstr("step 't': rejected")) << clause;
+  }
+}
+
+TEST_F(CheckProofTest, FormulasOfOneName_AreToldApart) {
+  const std::string proof =
+      Prove("cnf(a, axiom, p(b)). cnf(a, axiom, ~ p(X)). cnf(a_1, axiom, q).");
+  EXPECT_THAT(proof, HasSubstr("cnf(a_2, axiom, "));
+  EXPECT_EQ(Check(proof).exit_code, kVerified);
 }
 
 TEST_F(CheckProofTest, Json_NamesTheWrongStep) {

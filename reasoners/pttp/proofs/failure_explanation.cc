@@ -11,6 +11,7 @@
 
 #include "latchwork/logic/diagnostic.h"
 #include "reasoners/pttp/proofs/clause_index.h"
+#include "reasoners/pttp/proofs/computed_conclusions.h"
 #include "reasoners/pttp/proofs/near_miss.h"
 #include "reasoners/pttp/proofs/partial_attempts.h"
 
@@ -210,12 +211,12 @@ bool ConcludesEquation(const ClauseIndex& index) {
 Explanation ExplainFailure(const ProverResult& result, const ProverOptions& options,
                            logic::SymbolTable& symbols) {
   Explanation lines{{0, EndOf(result, options)}};
-  const std::span<const Clause> clauses = result.theory;
-  if (clauses.empty()) return lines;
-  if (clauses.size() > kMostClauses) {
+  if (result.theory.empty()) return lines;
+  if (result.theory.size() > kMostClauses) {
     lines.push_back({0, "There are too many formulas to look for what is missing."});
     return lines;
   }
+  const std::vector<Clause> clauses = WithComputedConclusions(result.theory, symbols);
   const ClauseIndex index(clauses);
   const std::vector<std::uint32_t> starts = Starts(clauses);
   if (starts.empty()) {

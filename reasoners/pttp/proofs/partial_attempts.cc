@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "latchwork/logic/arithmetic.h"
+#include "reasoners/pttp/proofs/computed_conclusions.h"
 #include "reasoners/pttp/proofs/instances.h"
 
 namespace latchwork::pttp {
@@ -141,13 +142,38 @@ class Attempts {
       too_deep_ = true;
       return;
     }
-    const Goal goal = goals_[place];
-    if (IsRepeated(goal)) return;
+    const std::size_t literals = literals_.size();
+    const Goal goal = Computed(goals_[place]);
+    if (!IsRepeated(goal)) Match(place, goal, solved);
+    literals_.resize(literals);
+  }
+
+  void Match(std::uint32_t place, const Goal& goal, std::uint32_t solved) {
     bool matched = false;
     if (IsComputed(*goal.literal)) matched = Compute(goal, solved);
     matched = Reduce(goal, solved) || matched;
     matched = Extend(place, goal, solved) || matched;
     if (!matched && !IsOver()) Note(goal, solved);
+  }
+
+  /// The goal with what its arguments come to, if it has no variables left.
+  Goal Computed(Goal goal) {
+    const logic::Atom& atom = goal.literal->atom;
+    if (IsComputed(*goal.literal) ||
+        std::ranges::none_of(atom.arguments(), [](const Term& t) { return pttp::IsComputed(t); })) {
+      return goal;
+    }
+    Instances::Numbers free;
+    const auto exported = instances_.Export(atom, goal.base, free);
+    if (!exported || !free.empty()) return goal;
+    std::vector<Term> arguments;
+    for (const Term& argument : exported->arguments()) {
+      arguments.push_back(arithmetic_.Normalize(argument).value_or(argument));
+    }
+    literals_.push_back(
+        {goal.literal->positive, logic::Atom(exported->predicate(), std::move(arguments))});
+    goal.literal = &literals_.back();
+    return goal;
   }
 
   bool IsRepeated(const Goal& goal) const {
@@ -281,7 +307,8 @@ class Attempts {
   std::uint64_t work_end_ = 0;
   Instances instances_;
   std::vector<Goal> goals_;
-  std::deque<Term> values_;  ///< Of terms that were computed.
+  std::deque<Term> values_;       ///< Of terms that were computed.
+  std::deque<Literal> literals_;  ///< Of goals whose arguments were computed.
   std::map<std::string, DeadEnd> dead_ends_;
   PartialAttempts result_;
   std::uint32_t deepest_ = 0;

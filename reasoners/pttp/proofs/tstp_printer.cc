@@ -118,10 +118,11 @@ std::string TstpPrinter::Leaf(std::size_t index) {
   std::string& name = leaves_[index];
   if (!name.empty()) return name;
   const AnnotatedFormula& formula = sources_.formulas[index];
-  name = Quote(formula.name);
+  const bool is_first = leaf_names_.insert(formula.name).second;
+  name = Quote(is_first ? formula.name : NewName(formula.name));
   lines_.push_back(fmt::format("{}({}, {}, {}, file({}, {})).", formula.is_clause ? "cnf" : "fof",
                                name, logic::RoleName(formula.role), TextOf(index),
-                               logic::QuoteWord(sources_.file), name));
+                               logic::QuoteWord(sources_.file), Quote(formula.name)));
   return name;
 }
 

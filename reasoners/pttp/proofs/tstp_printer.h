@@ -83,6 +83,7 @@ class TstpPrinter {
   std::map<std::string, std::size_t, std::less<>> form_of_;  ///< By the text of a clause.
   std::map<logic::Symbol, std::size_t> definition_of_;
   std::map<std::size_t, std::string> leaves_;
+  std::set<std::string, std::less<>> leaf_names_;  ///< Formulas of one file may share a name.
   std::map<std::size_t, std::string> negated_;
   std::map<std::size_t, std::string> definitions_;
   std::map<std::size_t, std::string> normal_forms_;

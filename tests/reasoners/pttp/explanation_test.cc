@@ -173,6 +173,19 @@ constexpr std::string_view kNumbers =
     "fof(z, axiom, nat(zero)). fof(s, axiom, ![X] : (nat(X) => nat(s(X))))."
     "fof(c, conjecture, nat(s(s(s(s(s(s(zero)))))))).";
 
+TEST(ExplainFailureTest, ConclusionThatIsComputed_MatchesWhatItComesTo) {
+  const std::string text =
+      Why("tff(a, axiom, level(0)). tff(d, axiom, next(1)). tff(e, axiom, ok(0))."
+          "tff(b, axiom, ![X : $int] : ((level(X) & ok(X) & next($sum(X, 1))) => "
+          "level($sum(X, 1)))). tff(c, conjecture, level(2)).",
+          {.strategy = "engine"});
+  EXPECT_THAT(text,
+              HasSubstr("  no clause concludes ok(1): nearest ok(0) of e: argument 1 is 0, "
+                        "wanted 1, which no conclusion has there\n    needed for level(2)\n"));
+  EXPECT_THAT(text, Not(HasSubstr("concludes level")));
+  EXPECT_THAT(text, Not(HasSubstr("concludes next(1)")));
+}
+
 TEST(ExplainFailureTest, BoundOnInferences_IsNamed) {
   const std::string text = Why(kNumbers, {.inferences = 2});
   EXPECT_THAT(text, HasSubstr("its bound of 2 inferences (--inferences)"));
