@@ -27,10 +27,6 @@ double WantedSideSpeed(const Car& car, double dt) {
 
 int Car::lane() const { return static_cast<int>(std::lround(y / kLaneWidth)); }
 
-bool Car::Occupies(int lane) const {
-  return aim == lane || std::abs(y - lane * kLaneWidth) < (kLaneWidth + width) / 2;
-}
-
 bool Car::settled() const { return std::abs(y - aim * kLaneWidth) < 0.3; }
 
 void Move(Car& car, double command, double dt) {

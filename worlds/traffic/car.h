@@ -2,6 +2,7 @@
 #ifndef LATCHWORK_TRAFFIC_CAR_H_
 #define LATCHWORK_TRAFFIC_CAR_H_
 
+#include <cmath>
 #include <cstdint>
 
 #include "latchwork/logic/symbol.h"
@@ -40,7 +41,9 @@ struct Car {
   /// The lane whose middle is nearest; may be one that does not exist.
   int lane() const;
   /// Whether it takes up room in a lane, or is about to.
-  bool Occupies(int lane) const;
+  bool Occupies(int lane) const {
+    return aim == lane || std::abs(y - lane * kLaneWidth) < (kLaneWidth + width) / 2;
+  }
   /// Whether it drives along the middle of the lane that it aims for.
   bool settled() const;
 };

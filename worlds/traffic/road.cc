@@ -64,7 +64,8 @@ Driver Road::SomeDriver(std::uint64_t number, bool truck) const {
 }
 
 double Road::Forward(double from, double to) const {
-  const double way = std::fmod(to - from, setup_.length);
+  double way = to - from;
+  if (std::abs(way) >= setup_.length) way = std::fmod(way, setup_.length);
   return way < 0 ? way + setup_.length : way;
 }
 
@@ -187,8 +188,8 @@ void Road::PlaceAgent() {
 }
 
 bool Road::Touch(const Car& a, const Car& b) const {
-  const double way = std::min(Forward(a.s, b.s), Forward(b.s, a.s));
-  return way < (a.length + b.length) / 2 && std::abs(a.y - b.y) < (a.width + b.width) / 2;
+  if (std::abs(a.y - b.y) >= (a.width + b.width) / 2) return false;
+  return std::min(Forward(a.s, b.s), Forward(b.s, a.s)) < (a.length + b.length) / 2;
 }
 
 std::optional<std::size_t> Road::Touched() const {
