@@ -53,6 +53,21 @@ double RewardOf(std::span<const sdk::Latch> latches) {
   return sum;
 }
 
+logic::Diagnostics UnknownSkills(const std::vector<std::string>& names, const Program& program) {
+  std::vector<std::string> known;
+  for (const Skill& skill : program.skills) known.push_back(skill.spelling);
+  logic::Diagnostics diagnostics;
+  for (const std::string& name : names) {
+    if (program.Find(name) != kNoSkill) continue;
+    const std::string_view nearest = logic::NearestName(name, known);
+    diagnostics.push_back({{},
+                           "learned_skills: the program has no skill '" + name + "'",
+                           nearest.empty() ? "" : "did you mean '" + std::string(nearest) + "'?",
+                           {}});
+  }
+  return diagnostics;
+}
+
 }  // namespace
 
 std::vector<sdk::ParameterSpec> LayerLearning::Parameters() {
@@ -108,9 +123,8 @@ LayerLearning::~LayerLearning() {
 logic::Diagnostics LayerLearning::Serve(const Program& program, NamePool& names,
                                         Interpreter& interpreter) {
   if (file_.empty() && !learning_) return {};
-  for (const std::string& name : options_.skills) {
-    if (program.Find(name) != kNoSkill) continue;
-    return {{{}, "learned_skills: the program has no skill '" + name + "'", {}, {}}};
+  if (logic::Diagnostics unknown = UnknownSkills(options_.skills, program); !unknown.empty()) {
+    return unknown;
   }
   if (learning_ && learner_ == nullptr && !file_.empty() && !IsWritable(file_)) {
     return {{{file_.string(), 0, 0},

@@ -8,19 +8,11 @@
 #include <utility>
 
 #include "reasoners/icarus/language/reader.h"
+#include "reasoners/icarus/learning/feature.h"
 
 namespace latchwork::icarus {
 
 namespace {
-
-constexpr double kLargest = 1e15;  // beyond this not every whole number is a double
-
-/// Numbers the random choices, so that they stay what they are for a seed.
-std::uint64_t NumberOf(const Value& feature) {
-  if (feature.kind == ValueKind::kList) return Hash(feature);
-  return MixHash(static_cast<std::uint64_t>(feature.kind),
-                 feature.is_number() ? feature.bits() : feature.name);
-}
 
 std::string NumberText(double number) {
   std::array<char, 40> buffer{};
@@ -45,17 +37,10 @@ void ValueLearner::SetSeed(std::uint64_t seed) {
   cycle_ = 0;
 }
 
-/// Reals are told apart by the whole numbers that they are next to.
-Value ValueLearner::Feature(const Value& argument) {
-  if (argument.kind != ValueKind::kReal) return argument;
-  const double bounded = std::clamp(argument.real, -kLargest, kLargest);
-  return Value::Integer(std::llround(bounded));
-}
-
 std::uint64_t ValueLearner::HashOf(std::uint32_t skill, std::span<const Value> arguments) {
   std::uint64_t hash = skill + 1;
   for (const Value& argument : arguments) {
-    hash = (hash ^ NumberOf(Feature(argument))) * 0x9e3779b97f4a7c15ULL;
+    hash = (hash ^ HashOfFeature(argument)) * 0x9e3779b97f4a7c15ULL;
     hash ^= hash >> 31U;
   }
   return hash;
@@ -66,11 +51,9 @@ std::size_t ValueLearner::Find(std::uint32_t skill, std::span<const Value> argum
   const auto [first, last] = places_.equal_range(hash);
   for (auto at = first; at != last; ++at) {
     const Estimate& known = estimates_[at->second];
-    const bool same = known.skill == skill &&
-                      std::equal(known.arguments.begin(), known.arguments.end(), arguments.begin(),
-                                 arguments.end(), [](const Value& a, const Value& b) {
-                                   return Equal(a, Feature(b));
-                                 });
+    const bool same =
+        known.skill == skill && std::equal(known.arguments.begin(), known.arguments.end(),
+                                           arguments.begin(), arguments.end(), IsFeatureOf);
     if (same) return at->second;
   }
   return estimates_.size();
@@ -83,7 +66,7 @@ std::size_t ValueLearner::FindOrMake(std::uint32_t skill, std::span<const Value>
   Estimate estimate;
   estimate.skill = skill;
   for (const Value& argument : arguments) {
-    estimate.arguments.push_back(arena_.Copy(Feature(argument)));
+    estimate.arguments.push_back(MakeFeature(argument, arena_));
   }
   estimate.hash = hash;
   estimate.value = options_.initial;
@@ -216,7 +199,7 @@ bool ValueLearner::ReadArgument(const SourceTree& tree, FormId form, Value& argu
     case FormKind::kInteger:
       argument = Value::Integer(tree.at(form).integer);
       return true;
-    case FormKind::kReal:  // Within a list; by itself it has become an integer.
+    case FormKind::kReal:
       argument = Value::Real(tree.at(form).real);
       return true;
     case FormKind::kString:

@@ -33,7 +33,7 @@ struct LearningOptions {
 };
 
 /// Learns what it is worth to be in a skill: an estimate of the discounted rewards to come for
-/// each skill and its arguments, real ones rounded to whole numbers. The reward that follows an
+/// each skill and the features (feature.h) of its arguments. The reward that follows an
 /// act is credited to every skill on the path that led to it. With acts = value the highest
 /// estimate wins at each skill, with expand = best it decides which means are asked at all.
 /// Thread rule: one thread at a time. Source: Shapiro and Langley, Separating skills from
@@ -81,7 +81,6 @@ class ValueLearner : public ValueSource {
     double reward = 0;
   };
 
-  static Value Feature(const Value& argument);
   static std::uint64_t HashOf(std::uint32_t skill, std::span<const Value> arguments);
   /// The estimate; size() when there is none.
   std::size_t Find(std::uint32_t skill, std::span<const Value> arguments, std::uint64_t hash) const;

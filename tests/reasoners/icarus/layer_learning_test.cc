@@ -20,6 +20,7 @@ namespace {
 using sdk::ArgumentType;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Two ways to go; the first in the program pays nothing.
 constexpr std::string_view kProgram = R"((top (Top))
@@ -98,6 +99,19 @@ TEST(IcarusLayerLearningTest, FolderThatDoesNotExist_IsRefusedAtOnce) {
   mind.Input("reward", {ArgumentType::kReal});
   mind.Output("go", {ArgumentType::kSymbol});
   EXPECT_THAT(Format(mind.TryLoad()), HasSubstr("learned values cannot be written here"));
+}
+
+TEST(IcarusLayerLearningTest, LearnedSkillsThatTheProgramLacks_AreAllNamed) {
+  ProgramMind mind(kProgram);
+  mind.Parameter("learn", "true");
+  mind.Parameter("learned_skills", "TakeRoad TakePat Fly");
+  mind.Input("reward", {ArgumentType::kReal});
+  mind.Output("go", {ArgumentType::kSymbol});
+  const std::string said = Format(mind.TryLoad());
+  EXPECT_THAT(said, HasSubstr("learned_skills: the program has no skill 'TakePat'"));
+  EXPECT_THAT(said, HasSubstr("did you mean 'TakePath'?"));
+  EXPECT_THAT(said, HasSubstr("the program has no skill 'Fly'"));
+  EXPECT_THAT(said, Not(HasSubstr("'TakeRoad'")));
 }
 
 }  // namespace

@@ -266,13 +266,25 @@ TEST(IcarusLearningTest, ValuesThatFitNothing_AreFindings) {
             "(value (Walk (a \"b c\" ?)) 1 1)\n(value (Walk -3) -2.5 7)\n");
 }
 
-TEST(IcarusLearningTest, RealsInLists_AreReadAsTheyWereWritten) {
-  const std::string text = "(value (Walk (a 1.5 (2.25))) 2.5 1)\n";
+TEST(IcarusLearningTest, RealsInLists_AreToldApartByWholeNumbers) {
   Traveller traveller({});
   Findings findings;
-  traveller.learner.Read(text, "v", findings);
+  traveller.learner.Read("(value (Walk (a 1.6 (2.25))) 2.5 1)", "v", findings);
   EXPECT_TRUE(findings.empty());
-  EXPECT_EQ(traveller.learner.Write(), text);
+  EXPECT_EQ(traveller.learner.Write(), "(value (Walk (a 2 (2))) 2.5 1)\n");
+  const std::uint32_t walk = traveller.file.program.Find("walk");
+  Arena arena;
+  const auto value = [&](double first, const Value& second) {
+    const std::array<Value, 1> inner = {second};
+    const std::array<Value, 3> outer = {Value::Symbol(traveller.names.Intern("a")),
+                                        Value::Real(first), arena.MakeList(inner)};
+    const std::array<Value, 1> place = {arena.MakeList(outer)};
+    return traveller.learner.ValueOf(walk, place);
+  };
+  EXPECT_EQ(value(2.4, Value::Real(1.7)), 2.5);
+  EXPECT_EQ(value(2.0, Value::Integer(2)), 2.5);
+  EXPECT_EQ(value(2.6, Value::Integer(2)), 0);
+  EXPECT_EQ(value(2.0, Value::Real(2.6)), 0);
 }
 
 TEST(IcarusLearningTest, Reals_AreToldApartByWholeNumbers) {
