@@ -207,6 +207,28 @@ TEST_F(IcarusCommandTest, Run_FaultModes_EndTheCycleOrTheRun) {
   EXPECT_EQ(stopped.exit_code, 1);
 }
 
+TEST_F(IcarusCommandTest, Run_ActOfTwoCalls_IsExpectedAsAWhole) {
+  const std::string program = "(Drive (?v) :action ({pedal ?v} {lights on}))\n";
+  const auto run = [&](const std::string& expected, std::vector<std::string> more = {}) {
+    WriteText(scratch_.path() / "w.world",
+              "(top (Drive 20))\n(cycle (expect " + expected + "))\n(cycle (top (Drive 20)))\n");
+    more.insert(more.begin(), {"run", "p.icarus", "--script", "w.world"});
+    return Icarus(more, program);
+  };
+  const CommandResult both = run("{pedal 20} {lights on}");
+  EXPECT_EQ(both.exit_code, 0) << both.err;
+  EXPECT_EQ(both.out, "1: start {pedal 20}{lights on}\n2: continue {pedal 20}{lights on}\n");
+  for (const char* other : {"{pedal 20}", "{lights on}", "{lights on} {pedal 20}"}) {
+    const CommandResult result = run(other);
+    EXPECT_EQ(result.exit_code, 1) << other;
+    EXPECT_NE(result.err.find("cycle 1 is not as expected: {"), std::string::npos) << result.err;
+  }
+  const std::string line = run("{pedal 20} {lights on}", {"--json"}).out;
+  const auto first = nlohmann::json::parse(line.substr(0, line.find('\n')));
+  EXPECT_EQ(first["acts"], nlohmann::json({"{pedal 20}{lights on}"}));
+  EXPECT_EQ(first["expected"], true);
+}
+
 TEST_F(IcarusCommandTest, Run_Profile_IsATable) {
   WriteText(scratch_.path() / "w.world", kGoNearWorld);
   const CommandResult result =
