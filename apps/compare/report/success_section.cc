@@ -28,7 +28,7 @@ std::vector<std::string> Cells(const ReportInput& input, const std::vector<Outco
                                const Tally& tally) {
   const Interval share = Share(CountOf(tally, Outcome::kReached), tally.runs);
   std::vector<std::string> cells = {
-      fmt::format("{} of {}", CountOf(tally, Outcome::kReached), tally.runs),
+      ReachedOf(tally),
       tally.runs == 0 ? "" : fmt::format("{} to {} %", Percent(share.low), Percent(share.high))};
   for (const Outcome outcome : failures) cells.push_back(Count(CountOf(tally, outcome)));
   const Duel* duel = FindDuel(input.findings, tally);

@@ -14,6 +14,7 @@ constexpr std::size_t kMostFailures = 20;
 
 std::string InWords(const AgentVerdict& verdict, const std::string& first) {
   std::string text = fmt::format("{} against {}\n", verdict.contender, first);
+  if (!verdict.compared) text += fmt::format("  {}\n", kNotCompared);
   for (const Difference& each : verdict.differences) {
     text += fmt::format("  {} in {} ({})\n", each.what, each.scenario, each.figures);
   }
@@ -39,17 +40,26 @@ std::string Table(const std::vector<Tally>& tallies) {
     scenario = std::max(scenario, each.scenario.size());
     contender = std::max(contender, each.contender.size());
   }
-  std::string text = fmt::format("{:<{}}  {:<{}}  {:>9}  {:>11}  {:>8}  {}\n", "scenario", scenario,
-                                 "agent", contender, "reached", "mean time s", "PAR-2 s", "others");
+  std::string text =
+      fmt::format("{:<{}}  {:<{}}  {:>11}  {:>11}  {:>8}  {}\n", "scenario", scenario, "agent",
+                  contender, "reached", "mean time s", "PAR-2 s", "others");
   for (const Tally& each : tallies) {
     const std::size_t count = CountOf(each, Outcome::kReached);
-    text +=
-        fmt::format("{:<{}}  {:<{}}  {:>9}  {:>11}  {:>8}  {}\n", each.scenario, scenario,
-                    each.contender, contender, fmt::format("{} of {}", count, each.runs),
-                    count == 0 ? "-" : fmt::format("{:.1f}", each.mean_time_s),
-                    each.limit_s > 0 ? fmt::format("{:.1f}", each.par2_s) : "-", Outcomes(each));
+    text += fmt::format(
+        "{:<{}}  {:<{}}  {:>11}  {:>11}  {:>8}  {}\n", each.scenario, scenario, each.contender,
+        contender, ReachedOf(each), count == 0 ? "-" : fmt::format("{:.1f}", each.mean_time_s),
+        each.runs > 0 && each.limit_s > 0 ? fmt::format("{:.1f}", each.par2_s) : "-",
+        Outcomes(each));
   }
   return text;
+}
+
+/// Empty when all are made.
+std::string RunsToMake(const Experiment& experiment, const std::vector<Tally>& tallies) {
+  std::size_t made = 0;
+  for (const Tally& each : tallies) made += each.runs;
+  const std::size_t all = tallies.size() * (experiment.last_seed - experiment.first_seed + 1);
+  return made == all ? "" : fmt::format("\n{} of {} runs are made so far\n", made, all);
 }
 
 /// What a run says may come from anywhere; a terminal obeys control characters.
@@ -80,6 +90,7 @@ std::string ToText(const Experiment& experiment, const Findings& findings) {
     text += InWords(verdict, experiment.contenders.front().name);
   }
   text += '\n' + Table(findings.tallies);
+  text += RunsToMake(experiment, findings.tallies);
   if (findings.failures.empty()) return text;
   text +=
       fmt::format("\n{} runs did not reach their goal; to repeat one:\n", findings.failures.size());

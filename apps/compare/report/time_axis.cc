@@ -10,6 +10,8 @@
 
 namespace latchwork::compare {
 
+constexpr double kLetter = 8;  // Wider than any of a label.
+
 double NiceStep(double length, int most) {
   if (!(length > 0) || !std::isfinite(length)) return 1;
   const double least = length / most;
@@ -56,9 +58,12 @@ std::string TimeAxis::Draw(double top, double bottom) const {
     const double value = low_ + i * step_;
     fmt::format_to(out, "<path class=\"grid\" d=\"M{0:.1f},{1:.1f}V{2:.1f}\"/>", X(value), top,
                    bottom);
+    const std::string label = fmt::format("{:g}{}", value, i == ticks ? " s" : "");
+    const bool fits = X(value) + kLetter * static_cast<double>(label.size()) / 2 < kChartWidth;
+    const char* middle = fits ? "middle" : "end";
     fmt::format_to(
-        out, "<text class=\"soft\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{:g}{}</text>",
-        X(value), bottom + 14, i == 0 ? "start" : "middle", value, i == ticks ? " s" : "");
+        out, "<text class=\"soft\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>",
+        fits ? X(value) : kChartWidth - 2, bottom + 14, i == 0 ? "start" : middle, label);
   }
   fmt::format_to(out, "<path class=\"axis\" d=\"M{:.1f},{:.1f}H{:.1f}\"/>", kLeft, bottom, right_);
   if (has_failures_) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "apps/compare/report/time_axis.h"
+#include "apps/compare/report/verdicts.h"
 
 namespace latchwork::compare {
 namespace {
@@ -94,8 +95,8 @@ std::string ChartHead(const ReportInput& input, const std::string& scenario, dou
   for (const Tally& tally : input.findings.tallies) {
     if (tally.scenario != scenario) continue;
     const std::size_t reached = CountOf(tally, Outcome::kReached);
-    text += fmt::format("{}{}: {} of {} reached", text.empty() ? "" : "; ", tally.contender,
-                        reached, tally.runs);
+    text += fmt::format("{}{}: {}{}", text.empty() ? "" : "; ", tally.contender, ReachedOf(tally),
+                        tally.runs == 0 ? "" : " reached");
     if (reached > 0) text += fmt::format(", those in {:.1f} s in the mean", tally.mean_time_s);
   }
   return fmt::format(

@@ -20,7 +20,7 @@ std::string Limited(const Tally& tally, double seconds) {
 std::vector<std::string> Cells(const ReportInput& input, const Tally& tally) {
   const std::size_t reached = CountOf(tally, Outcome::kReached);
   std::vector<std::string> cells = {
-      fmt::format("{} of {}", reached, tally.runs), reached == 0 ? "" : Seconds(tally.mean_time_s),
+      ReachedOf(tally), reached == 0 ? "" : Seconds(tally.mean_time_s),
       Limited(tally, tally.restricted_s), Limited(tally, tally.par2_s)};
   const Duel* duel = FindDuel(input.findings, tally);
   if (duel == nullptr || duel->comparison.pairs == 0 || duel->limit_s == 0) {

@@ -111,14 +111,16 @@ std::string Figure(const ReportInput& input, const Layout& layout, const Plans& 
       ends += end;
     }
   }
+  const std::string count =
+      runs.empty() ? "no runs yet" : fmt::format("{} of {} reached", reached, runs.size());
   std::string figure = fmt::format(
-      "<figure>\n<figcaption>{}{} <small>{} of {} reached</small></figcaption>\n"
+      "<figure>\n<figcaption>{}{} <small>{}</small></figcaption>\n"
       "<svg class=\"chart ways\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\">"
       "<title>Ways of {} in {}</title><desc>The ways of {} runs over {} floors; a cross marks "
       "where "
       "a run that did not reach the goal ended.</desc>\n",
-      Key(input.experiment, contender), Escaped(contender), reached, runs.size(), layout.width,
-      layout.height, Escaped(contender), Escaped(scenario), runs.size(), layout.floors.size());
+      Key(input.experiment, contender), Escaped(contender), count, layout.width, layout.height,
+      Escaped(contender), Escaped(scenario), runs.size(), layout.floors.size());
   for (const auto& [number, floor] : layout.floors) {
     figure += fmt::format(
         "<text class=\"floor\" x=\"2\" y=\"{:.0f}\">floor {}</text>"

@@ -13,6 +13,9 @@ std::string Card(const ReportInput& input, const AgentVerdict& verdict) {
                   Key(input.experiment, verdict.contender), Escaped(verdict.contender),
                   Escaped(input.experiment.contenders.front().name));
   card += "<ul>\n";
+  if (!verdict.compared) {
+    card += fmt::format("<li class=\"none\">{}</li>\n", kNotCompared);
+  }
   for (const Difference& each : verdict.differences) {
     card += fmt::format("<li><strong>{} in {}</strong> ({})</li>\n", each.what,
                         Escaped(each.scenario), Figures(each.figures));

@@ -35,12 +35,13 @@ void Append(std::string& list, std::string_view separator, std::string_view item
 }
 
 AgentVerdict VerdictOn(const std::string& contender, const std::vector<Duel>& duels, double level) {
-  AgentVerdict verdict{contender, {}, {}};
+  AgentVerdict verdict{contender, {}, {}, false};
   std::string goals;
   std::string times;
   for (const Duel& duel : duels) {
     const Comparison& c = duel.comparison;
     if (duel.second != contender || c.pairs == 0) continue;
+    verdict.compared = true;
     const Verdict success = OnSuccess(c, level);
     if (success == Verdict::kNoDifferenceShown) {
       Append(goals, ", ", fmt::format("{} ({})", duel.scenario, OfSuccess(c)));
@@ -82,7 +83,7 @@ std::string TooFewSeeds(const Experiment& experiment, const Findings& findings) 
   for (const Duel& duel : findings.duels) pairs = std::max(pairs, duel.comparison.pairs);
   const double smallest = std::ldexp(2.0, -static_cast<int>(std::min<std::size_t>(pairs, 1000))) *
                           2 * static_cast<double>(findings.duels.size());
-  if (smallest <= experiment.level) return "";
+  if (pairs == 0 || smallest <= experiment.level) return "";
   return fmt::format(
       " {} seeds are too few to show any: where all of them agree, p is {:.3g} after the "
       "correction. --plan says how many are needed.",
@@ -102,11 +103,12 @@ std::vector<AgentVerdict> Verdicts(const Experiment& experiment, const Findings&
 std::string Overview(const Experiment& experiment, const Findings& findings) {
   std::string found;
   std::string others;
+  std::string unknown;
   for (const AgentVerdict& verdict : Verdicts(experiment, findings)) {
     if (const std::string text = InShort(verdict); !text.empty()) {
       Append(found, "; ", text);
     } else {
-      Append(others, ", ", verdict.contender);
+      Append(verdict.compared ? others : unknown, ", ", verdict.contender);
     }
   }
   std::string overview;
@@ -114,12 +116,21 @@ std::string Overview(const Experiment& experiment, const Findings& findings) {
     overview = fmt::format("Against {}, {}. ", experiment.contenders.front().name, found);
   }
   if (!others.empty()) {
-    overview += fmt::format("No difference from {} is shown for {}.",
+    overview += fmt::format("No difference from {} is shown for {}. ",
                             experiment.contenders.front().name, others);
   }
-  if (found.empty()) overview += TooFewSeeds(experiment, findings);
+  if (!unknown.empty()) {
+    overview += fmt::format("Nothing is known yet of {}: {} and it have no run with the same seed.",
+                            unknown, experiment.contenders.front().name);
+  }
   if (overview.ends_with(' ')) overview.pop_back();
+  if (found.empty()) overview += TooFewSeeds(experiment, findings);
   return overview;
+}
+
+std::string ReachedOf(const Tally& tally) {
+  return tally.runs == 0 ? "no runs yet"
+                         : fmt::format("{} of {}", CountOf(tally, Outcome::kReached), tally.runs);
 }
 
 std::string PFigure(double p) { return p < 0.001 ? "< 0.001" : fmt::format("{:.3g}", p); }

@@ -3,6 +3,7 @@
 #define LATCHWORK_APPS_COMPARE_REPORT_VERDICTS_H_
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/compare/report/findings.h"
@@ -21,10 +22,18 @@ struct AgentVerdict {
   std::string contender;
   std::vector<Difference> differences;
   std::vector<std::string> not_shown;  ///< "goals reached: floor (…), far (…)"; the same of time.
+  bool compared = false;               ///< With some seed, both have a run.
 };
 
 /// In the order of the experiment.
 std::vector<AgentVerdict> Verdicts(const Experiment& experiment, const Findings& findings);
+
+/// Of an agent that is not compared yet.
+inline constexpr std::string_view kNotCompared =
+    "nothing to compare yet: no seed that both have run";
+
+/// "no runs yet", or how many of them reached their goal: "3 of 5".
+std::string ReachedOf(const Tally& tally);
 
 /// The whole in words: who is better than the first at what, and where; of whom no difference is
 /// shown; whether there are seeds enough to show any.

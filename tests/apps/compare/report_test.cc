@@ -99,6 +99,32 @@ TEST(ReportTest, WithoutALimit_NothingIsSaidOfTimes) {
   EXPECT_THAT(ToOmplLog(trial.Input(), "floor"), HasSubstr("\nnan; 0; 4; nan;"));
 }
 
+TEST(ReportTest, AgentWithoutRuns_HasNoneYetInTextAndPage) {
+  Trial trial;
+  std::erase_if(trial.records, [](const auto& run) { return run.first.contender == "twin"; });
+  trial.findings = Evaluate(trial.experiment, trial.records);
+  const std::string text = ToText(trial.experiment, trial.findings);
+  EXPECT_THAT(text, HasSubstr("Nothing is known yet of twin: good and it have no run with the"));
+  EXPECT_THAT(text, HasSubstr("twin against good\n  nothing to compare yet"));
+  EXPECT_THAT(text, HasSubstr("twin   no runs yet            -         -  -\n"));
+  EXPECT_THAT(text, HasSubstr("36 of 48 runs are made so far"));
+  EXPECT_THAT(text, Not(HasSubstr("No difference from good is shown")));
+  const std::string page = trial.Page();
+  EXPECT_THAT(page, HasSubstr("<li class=\"none\">nothing to compare yet"));
+  EXPECT_THAT(page, HasSubstr("<td>no runs yet</td><td></td><td></td><td></td>"));
+  EXPECT_THAT(page, Not(HasSubstr("0 of 0")));
+}
+
+TEST(ReportTest, WithoutAnyRun_NothingIsShownAndNothingDenied) {
+  Trial trial;
+  trial.records.clear();
+  trial.findings = Evaluate(trial.experiment, trial.records);
+  const std::string text = ToText(trial.experiment, trial.findings);
+  EXPECT_THAT(text, HasSubstr("Nothing is known yet of twin, slow, bad"));
+  EXPECT_THAT(text, Not(HasSubstr("too few")));
+  EXPECT_THAT(text, HasSubstr("0 of 48 runs are made so far"));
+}
+
 TEST(ReportTest, ControlCharactersOfMessages_DoNotReachATerminal) {
   Trial trial;
   trial.findings.failures[0].message = "a\x1b[2J\xc2\x9b\n\xc3\xa9";
