@@ -26,11 +26,9 @@ struct CheckOptions {
 };
 
 nlohmann::ordered_json ToJson(const logic::Diagnostic& diagnostic) {
-  return {{"file", diagnostic.place.file},
-          {"line", diagnostic.place.line},
-          {"column", diagnostic.place.column},
-          {"message", diagnostic.message},
-          {"hint", diagnostic.hint}};
+  return {{"file", diagnostic.place.file},     {"line", diagnostic.place.line},
+          {"column", diagnostic.place.column}, {"message", diagnostic.message},
+          {"hint", diagnostic.hint},           {"excerpt", diagnostic.excerpt}};
 }
 
 void PrintSummary(const std::filesystem::path& path, const config::AgentDescription& agent) {

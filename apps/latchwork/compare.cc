@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "apps/compare/dispatch/slurm_scripts.h"
+#include "apps/compare/experiment/check_agents.h"
 #include "apps/compare/folder/result_folder.h"
 #include "apps/compare/runs/run_queue.h"
 #include "apps/compare/statistics/sample_size.h"
@@ -56,9 +57,9 @@ compare::Shard ParseShard(const std::string& text) {
   return {index - 1, count};
 }
 
-void MakeMissing(const Experiment& experiment, const CompareOptions& options,
-                 const Context& context, std::atomic<bool>& interrupted, ResultFolder& folder) {
-  const std::vector<PlannedRun> missing = folder.Missing(ParseShard(options.shard));
+void MakeRuns(const Experiment& experiment, const std::vector<PlannedRun>& missing,
+              const CompareOptions& options, const Context& context, std::atomic<bool>& interrupted,
+              ResultFolder& folder) {
   Progress progress("runs", options.quiet);
   std::size_t done = 0;
   compare::QueueOptions queue;
@@ -69,7 +70,7 @@ void MakeMissing(const Experiment& experiment, const CompareOptions& options,
     progress.Update(++done, missing.size());
     return folder.Keep(record);
   };
-  MakeRuns(missing, queue, interrupted);
+  compare::MakeRuns(missing, queue, interrupted);
 }
 
 void ShowPlan(const Experiment& experiment) {
@@ -93,13 +94,24 @@ void ShowPlan(const Experiment& experiment) {
   }
 }
 
+/// All that is wrong with the agents is told before the first run.
+bool AreSound(const Experiment& experiment, const std::vector<PlannedRun>& runs,
+              const Context& context, const std::atomic<bool>& interrupted) {
+  const compare::Launch launch = compare::LaunchOf(context.executable, context.plugin_folders);
+  const auto diagnostics = compare::CheckAgents(experiment, runs, launch, interrupted);
+  fmt::print(stderr, "{}", logic::Format(diagnostics));
+  return diagnostics.empty();
+}
+
 int RunExperiment(const Experiment& experiment, const CompareOptions& options,
                   const Context& context) {
   std::atomic<bool>& interrupted = WatchForInterruption();
   ResultFolder folder(experiment, options.out);
   for (const std::filesystem::path& other : options.merge) folder.TakeOver(other);
   if (folder.trouble().kind == Trouble::Kind::kNone) {
-    MakeMissing(experiment, options, context, interrupted, folder);
+    const std::vector<PlannedRun> missing = folder.Missing(ParseShard(options.shard));
+    if (!AreSound(experiment, missing, context, interrupted)) return kInvalidInput;
+    MakeRuns(experiment, missing, options, context, interrupted, folder);
   }
   const std::string report = folder.WriteResults(
       {compare::LaunchOf(context.executable, context.plugin_folders),
@@ -151,7 +163,11 @@ int Compare(const CompareOptions& options, const Context& context) {
     ShowPlan(*file.experiment);
     return kDone;
   }
-  if (options.slurm) return WriteForSlurm(*file.experiment, options, context);
+  if (options.slurm) {
+    const std::atomic<bool>& interrupted = WatchForInterruption();
+    const bool sound = AreSound(*file.experiment, PlanRuns(*file.experiment), context, interrupted);
+    return sound ? WriteForSlurm(*file.experiment, options, context) : kInvalidInput;
+  }
   return RunExperiment(*file.experiment, options, context);
 }
 

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -11,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/compare/experiment/check_agents.h"
 #include "apps/compare/folder/result_folder.h"
 #include "apps/latchwork/command.h"
 #include "apps/latchwork_mpi/master.h"
@@ -112,6 +114,13 @@ int LeadExperiment(MpiLink& link, const compare::Experiment& experiment, const O
   const std::filesystem::path out =
       options.out.empty() ? std::filesystem::path("out") / options.experiment.stem() : options.out;
   compare::ResultFolder folder(experiment, out);
+  const std::atomic<bool> never = false;
+  const auto diagnostics =
+      compare::CheckAgents(experiment, folder.Missing(), LaunchOf(options), never);
+  if (!diagnostics.empty()) {
+    fmt::print(stderr, "{}", logic::Format(diagnostics));
+    return End(link, SendAway(link, MasterOptionsOf(options)), app::kInvalidInput);
+  }
   const Shift shift = Lead(link, experiment, folder, MasterOptionsOf(options));
   const std::string report = folder.WriteResults(
       {LaunchOf(options),

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/config/document.h"
 #include "latchwork/config/xml.h"
 
 namespace latchwork::compare {
@@ -84,6 +85,7 @@ constexpr std::string_view kSchema = R"xsd(<?xml version="1.0" encoding="UTF-8"?
 )xsd";
 
 constexpr std::uint64_t kMostSeeds = 100'000;
+constexpr std::uint64_t kMostRuns = 1'000'000;
 
 /// A number that the schema has checked; what stands behind it is left out.
 std::uint64_t NumberOf(std::string_view text) {
@@ -94,13 +96,16 @@ std::uint64_t NumberOf(std::string_view text) {
 
 class Reader {
  public:
-  Reader(const config::Element& root, const std::filesystem::path& file)
-      : root_(root), folder_(file.parent_path()) {}
+  /// What the schema says against the file is told and not said again.
+  Reader(const config::Element& root, const std::filesystem::path& file,
+         logic::Diagnostics diagnostics)
+      : root_(root), folder_(file.parent_path()), diagnostics_(std::move(diagnostics)) {}
 
   ExperimentFile Run() {
     Experiment& experiment = experiment_;
-    experiment.name = root_.Find("name")->value;
-    ReadSeeds(*root_.Find("seeds"));
+    if (const auto* name = root_.Find("name")) experiment.name = name->value;
+    if (const auto* seeds = root_.Find("seeds")) ReadSeeds(*seeds);
+    experiment.limits_place = root_.place;
     if (const auto* level = root_.Find("level")) {
       const std::string& text = level->value;
       std::from_chars(text.data(), text.data() + text.size(), experiment.level);
@@ -110,15 +115,10 @@ class Reader {
     }
     if (const auto* memory = root_.Find("memory")) {
       experiment.limits.memory_mb = NumberOf(memory->value);
+      experiment.limits_place = memory->place;
     }
     for (const config::Element& child : root_.children) ReadChild(child);
-    if (experiment.scenarios.empty()) {
-      Say(root_.place, "there is no <scenario>", "add one: <scenario name=\"…\" file=\"…\"/>");
-    }
-    if (experiment.contenders.size() < 2) {
-      Say(root_.place, "a comparison needs two <agent> or more",
-          "add another: <agent name=\"…\" fragment=\"…\"/>");
-    }
+    CountParts();
     ExperimentFile result;
     if (diagnostics_.empty()) result.experiment = std::move(experiment_);
     result.diagnostics = std::move(diagnostics_);
@@ -126,11 +126,38 @@ class Reader {
   }
 
  private:
+  /// An element whose name is misspelt may be what is missing.
+  void CountParts() {
+    const auto is_known = [](const config::Element& child) {
+      return child.name == "scenario" || child.name == "agent";
+    };
+    if (!std::ranges::all_of(root_.children, is_known)) return;
+    if (scenarios_ == 0) {
+      Say(root_.place, "there is no <scenario>", "add one: <scenario name=\"…\" file=\"…\"/>");
+    }
+    if (contenders_ < 2) {
+      Say(root_.place, "a comparison needs two <agent> or more",
+          "add another: <agent name=\"…\" fragment=\"…\"/>");
+    }
+    const std::uint64_t seeds = experiment_.last_seed - experiment_.first_seed + 1;
+    if (diagnostics_.empty() && scenarios_ * contenders_ > kMostRuns / seeds) {
+      Say(root_.place, fmt::format("{} scenarios, {} agents and {} seeds make more than {} runs",
+                                   scenarios_, contenders_, seeds, kMostRuns));
+    }
+  }
+
+  bool IsTold(const logic::SourcePlace& place) const {
+    return place.line > 0 && std::ranges::any_of(diagnostics_, [&](const auto& each) {
+             return each.place.line == place.line && each.place.column == place.column;
+           });
+  }
+
   void Say(const logic::SourcePlace& place, std::string message, std::string hint = "") {
     diagnostics_.push_back({place, std::move(message), std::move(hint), ""});
   }
 
   void ReadSeeds(const config::Attribute& seeds) {
+    if (IsTold(seeds.place)) return;
     const std::size_t dash = seeds.value.find('-');
     experiment_.first_seed = NumberOf(seeds.value);
     experiment_.last_seed = NumberOf(std::string_view(seeds.value).substr(dash + 1));
@@ -142,26 +169,49 @@ class Reader {
     }
   }
 
+  void TellTwins(const config::Element& child, std::vector<std::string>& known) {
+    const auto* name = child.Find("name");
+    if (name == nullptr || IsTold(name->place)) return;
+    if (std::ranges::find(known, name->value) != known.end()) {
+      Say(name->place, fmt::format("there are two <{}> called '{}'", child.name, name->value));
+    }
+    known.push_back(name->value);
+  }
+
   void ReadChild(const config::Element& child) {
-    const std::string& name = child.Find("name")->value;
-    const bool is_scenario = child.name == "scenario";
-    std::vector<std::string>& known = is_scenario ? scenario_names_ : contender_names_;
-    if (std::ranges::find(known, name) != known.end()) {
-      Say(child.Find("name")->place,
-          fmt::format("there are two <{}> called '{}'", child.name, name));
+    if (child.name == "scenario") {
+      ReadScenario(child);
+    } else if (child.name == "agent") {
+      ReadContender(child);
     }
-    known.push_back(name);
-    if (is_scenario) {
-      experiment_.scenarios.push_back({name, PathOf(*child.Find("file"))});
-      return;
-    }
-    Contender contender{name, std::nullopt, {}, 0};
+  }
+
+  void ReadScenario(const config::Element& child) {
+    ++scenarios_;
+    TellTwins(child, scenario_names_);
+    const auto* file = child.Find("file");
+    std::filesystem::path path = file == nullptr ? "" : PathOf(*file);
+    const auto* name = child.Find("name");
+    if (file == nullptr || name == nullptr) return;
+    experiment_.scenarios.push_back({name->value, std::move(path), file->place});
+  }
+
+  void ReadContender(const config::Element& child) {
+    ++contenders_;
+    TellTwins(child, contender_names_);
+    Contender contender;
+    contender.place = child.place;
+    if (const auto* name = child.Find("name")) contender.name = name->value;
     if (const auto* offset = child.Find("seed_offset")) {
       contender.seed_offset = NumberOf(offset->value);
     }
     if (const auto* fragment = child.Find("fragment")) contender.fragment = PathOf(*fragment);
     for (const config::Element& set : child.children) {
-      contender.settings.push_back(set.Find("name")->value + "=" + set.Find("value")->value);
+      const auto* name = set.Find("name");
+      const auto* value = set.Find("value");
+      if (name == nullptr || value == nullptr) continue;
+      contender.settings.push_back(name->value + "=" + value->value);
+      contender.setting_places.push_back(name->place);
     }
     experiment_.contenders.push_back(std::move(contender));
   }
@@ -169,7 +219,7 @@ class Reader {
   std::filesystem::path PathOf(const config::Attribute& attribute) {
     const std::filesystem::path path = folder_ / attribute.value;
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) {
+    if (!IsTold(attribute.place) && !std::filesystem::is_regular_file(path, error)) {
       Say(attribute.place, fmt::format("there is no file '{}'", path.string()),
           "paths are relative to the experiment's file");
     }
@@ -178,15 +228,24 @@ class Reader {
 
   const config::Element& root_;
   std::filesystem::path folder_;
-  Experiment experiment_;
   logic::Diagnostics diagnostics_;
+  Experiment experiment_;
   std::vector<std::string> scenario_names_;
   std::vector<std::string> contender_names_;
+  std::uint64_t scenarios_ = 0;
+  std::uint64_t contenders_ = 0;
 };
 
 ExperimentFile Finish(config::XmlFile xml, const std::filesystem::path& file) {
-  if (!xml.diagnostics.empty()) return {std::nullopt, std::move(xml.diagnostics)};
-  return Reader(xml.root, file).Run();
+  ExperimentFile result;
+  if (xml.complete && xml.root.name == "experiment") {
+    result = Reader(xml.root, file, std::move(xml.diagnostics)).Run();
+  } else {
+    result.diagnostics = std::move(xml.diagnostics);
+  }
+  config::Arrange({{file.string(), xml.bytes}}, result.diagnostics);
+  if (result.experiment) result.experiment->text = std::move(xml.bytes);
+  return result;
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ namespace latchwork::compare {
 struct Scenario {
   std::string name;
   std::filesystem::path file;  ///< An agent file.
+  logic::SourcePlace place{};  ///< Where the experiment names it.
 };
 
 /// What is compared: the agent of each scenario, changed.
@@ -26,6 +27,8 @@ struct Contender {
   std::optional<std::filesystem::path> fragment;  ///< Overrides that come on top.
   std::vector<std::string> settings;              ///< PART.NAME=VALUE, after the fragment.
   std::uint64_t seed_offset = 0;  ///< Added to every seed: a control that meets other worlds.
+  logic::SourcePlace place{};     ///< Where the experiment names it.
+  std::vector<logic::SourcePlace> setting_places{};
 };
 
 /// What one run may use before it is ended.
@@ -41,6 +44,8 @@ struct Experiment {
   RunLimits limits;
   std::vector<Scenario> scenarios;
   std::vector<Contender> contenders;
+  logic::SourcePlace limits_place{};  ///< Of `memory`, or of the whole.
+  std::string text{};                 ///< Of the file, for excerpts.
 };
 
 struct ExperimentFile {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/compare/experiment/experiment.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -66,6 +67,35 @@ TEST(ExperimentTest, WhatCannotBeRun_Said) {
   EXPECT_THAT(errors, HasSubstr("there is no file"));
   EXPECT_THAT(errors, HasSubstr("there are two <agent> called 'a'"));
   EXPECT_THAT(errors, HasSubstr("there is no <scenario>"));
+}
+
+TEST(ExperimentTest, MistakesOfShapeAndOfSense_InOnePassEachWithItsLine) {
+  const std::string errors = ErrorsOf(
+      "<experiment format=\"1\" name=\"e\" seeds=\"9-2\" level=\"2\">\n"
+      "<scenario name=\"s\" file=\"no.xml\"/>\n"
+      "<agent nam=\"a\"/><agent name=\"b\"/><agent name=\"b\"/>\n"
+      "</experiment>");
+  EXPECT_THAT(errors, HasSubstr("1:40: error: the last seed comes before the first"));
+  EXPECT_THAT(errors, HasSubstr("'2' is not a level"));
+  EXPECT_THAT(errors, HasSubstr("2:26: error: there is no file"));
+  EXPECT_THAT(errors, HasSubstr("  2 | <scenario name=\"s\" file=\"no.xml\"/>\n"));
+  EXPECT_THAT(errors, HasSubstr("did you mean 'name'?"));
+  EXPECT_THAT(errors, HasSubstr("there are two <agent> called 'b'"));
+}
+
+TEST(ExperimentTest, AstronomicNumbers_AreRefused) {
+  const auto with = [](const std::string& seeds) {
+    std::string text = "<experiment format=\"1\" name=\"e\" seeds=\"" + seeds + "\">";
+    for (int i = 0; i < 20; ++i) {
+      text += fmt::format("<scenario name=\"s{}\" file=\"../office/scenario1.xml\"/>", i);
+    }
+    return text + "<agent name=\"a\"/><agent name=\"b\"/></experiment>";
+  };
+  EXPECT_THAT(ErrorsOf(with("1-99999999999999999999")), HasSubstr("is not seeds"));
+  EXPECT_THAT(ErrorsOf(with("1-18446744073709551615")), HasSubstr("is not seeds"));
+  EXPECT_THAT(ErrorsOf(with("-1")), HasSubstr("is not seeds"));
+  EXPECT_THAT(ErrorsOf(with("1-999999999")), HasSubstr("more than 100000 seeds"));
+  EXPECT_THAT(ErrorsOf(with("1-30000")), HasSubstr("make more than 1000000 runs"));
 }
 
 }  // namespace

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/compare/experiment/check_agents.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace latchwork::compare {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* kFile = LATCHWORK_SOURCE_DIR "/examples/compare/experiment.xml";
+
+constexpr const char* kText =
+    "<experiment format=\"1\" name=\"e\" seeds=\"1-3\" memory=\"900MB\">\n"
+    "<scenario name=\"floor\" file=\"../office/scenario1.xml\"/>\n"
+    "<agent name=\"a\"/>\n"
+    "<agent name=\"b\"><set name=\"avoid.wit\" value=\"1\"/></agent>\n"
+    "</experiment>";
+
+/// With a shell that says `script` in place of what checks.
+logic::Diagnostics Checked(const std::string& script) {
+  const auto read = ReadExperimentText(kText, kFile);
+  const std::atomic<bool> never = false;
+  return CheckAgents(*read.experiment, PlanRuns(*read.experiment),
+                     {"/bin/sh", {"-c", script, "sh"}}, never);
+}
+
+TEST(CheckAgentsTest, SoundAgents_NothingIsSaid) {
+  EXPECT_TRUE(Checked("[ \"$1 $2\" = 'check --json' ] && echo '[]'").empty());
+}
+
+TEST(CheckAgentsTest, WhatSeveralAgentsShare_IsToldOnce) {
+  const auto told = Checked(
+      R"(echo '[{"file":"map.xml","line":2,"column":3,"message":"no door","hint":""}]'; exit 3)");
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(logic::Format(told), "map.xml:2:3: error: no door\n");
+}
+
+TEST(CheckAgentsTest, BadSetting_StandsInTheExperiment) {
+  const std::string told = logic::Format(Checked(
+      R"(case "$*" in *wit*) echo '[{"file":"command line","line":0,"column":0,"message":"'"there is no parameter 'wit'"'","hint":""}]'; exit 3;; esac; echo '[]')"));
+  EXPECT_THAT(told, HasSubstr("experiment.xml:4:28: error: there is no parameter 'wit'\n  4 | "));
+}
+
+TEST(CheckAgentsTest, NoAnswer_TheLimitsAreTooSmall) {
+  const std::string told = logic::Format(Checked("kill -9 $$"));
+  EXPECT_THAT(told, HasSubstr("experiment.xml:1:53: error: no run of 'a' in 'floor' can begin "
+                              "within 900 MB and 300 s: reading it was ended by signal 9"));
+  EXPECT_THAT(told, HasSubstr("hint: allow more"));
+}
+
+}  // namespace
+}  // namespace latchwork::compare
