@@ -142,6 +142,7 @@ int WriteForSlurm(const Experiment& experiment, const CompareOptions& options,
   job.out = options.out;
   job.shards = std::min(parts, options.slurm_shards == 0 ? kUsualShards : options.slurm_shards);
   job.jobs = options.jobs;
+  job.memory_mb = experiment.limits.memory_mb;
   const std::string problem = WriteSlurmScripts(job);
   if (!problem.empty()) {
     fmt::print(stderr, "{}\n", problem);

@@ -12,8 +12,10 @@ namespace latchwork::compare {
 namespace {
 
 std::string Header(const SlurmJob& job, const std::string& part) {
-  return fmt::format("#!/bin/sh\n#SBATCH --job-name=latchwork-{}{}\n#SBATCH --cpus-per-task={}\n",
-                     job.name, part, job.jobs);
+  return fmt::format(
+      "#!/bin/sh\n#SBATCH --job-name=latchwork-{}{}\n#SBATCH --cpus-per-task={}\n"
+      "#SBATCH --mem-per-cpu={}M\n",
+      job.name, part, job.jobs, job.memory_mb);
 }
 
 std::string Begin(const SlurmJob& job) {

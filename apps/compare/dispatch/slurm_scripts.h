@@ -3,6 +3,7 @@
 #define LATCHWORK_APPS_COMPARE_DISPATCH_SLURM_SCRIPTS_H_
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -19,6 +20,7 @@ struct SlurmJob {
   std::filesystem::path out;
   std::size_t shards = 1;
   unsigned jobs = 1;  ///< Runs at a time, and processors, of a shard.
+  std::uint64_t memory_mb = 4096;  ///< Of a run; asked for with each processor.
 };
 
 /// For sbatch: an array of which each task makes one shard, the job that merges them, and the

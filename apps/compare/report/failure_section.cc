@@ -6,9 +6,10 @@
 namespace latchwork::compare {
 namespace {
 
-std::string Item(const RunRecord& run) {
+std::string Item(const RunRecord& run, const RunLimits& limits) {
   return fmt::format("<li>seed {}: {}{}{}\n<code>{}</code></li>\n", run.key.seed, Name(run.outcome),
-                     run.message.empty() ? "" : ", ", Escaped(run.message), Escaped(run.command));
+                     run.message.empty() ? "" : ", ", Escaped(run.message),
+                     Escaped(RepeatOf(run, limits)));
 }
 
 }  // namespace
@@ -23,7 +24,7 @@ std::string FailureSection(const ReportInput& input) {
     std::size_t count = 0;
     for (const RunRecord* run : RunsOf(input, tally.scenario, tally.contender)) {
       if (run->outcome == Outcome::kReached) continue;
-      items += Item(*run);
+      items += Item(*run, input.experiment.limits);
       ++count;
     }
     if (count == 0) continue;

@@ -56,7 +56,7 @@ std::size_t CountOf(const Tally& tally, Outcome outcome);
 std::string ToText(const Experiment& experiment, const Findings& findings);
 
 /// All runs, one line each, with a header.
-std::string ToCsv(const Records& records);
+std::string ToCsv(const Records& records, const RunLimits& limits);
 
 }  // namespace latchwork::compare
 

@@ -46,7 +46,7 @@ WrittenResults WriteResultFiles(const std::filesystem::path& folder, const Exper
     const std::string name = fmt::format("ompl-{}.log", scenario.name);
     note(name.c_str(), WriteText(folder / name, ToOmplLog(input, scenario.name)));
   }
-  note("runs.csv", WriteText(folder / "runs.csv", ToCsv(records)));
+  note("runs.csv", WriteText(folder / "runs.csv", ToCsv(records, experiment.limits)));
   note("results.sqlite", WriteResults(folder / "results.sqlite", records));
   note("timings.sqlite", WriteTimings(folder / "timings.sqlite", records));
   return written;

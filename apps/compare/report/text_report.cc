@@ -96,7 +96,8 @@ std::string ToText(const Experiment& experiment, const Findings& findings) {
       fmt::format("\n{} runs did not reach their goal; to repeat one:\n", findings.failures.size());
   for (std::size_t i = 0; i < std::min(findings.failures.size(), kMostFailures); ++i) {
     const RunRecord& run = findings.failures[i];
-    text += fmt::format("  {} ({}: {})\n", run.command, Name(run.outcome), Printable(run.message));
+    text += fmt::format("  {} ({}: {})\n", RepeatOf(run, experiment.limits), Name(run.outcome),
+                        Printable(run.message));
   }
   if (findings.failures.size() > kMostFailures) {
     text += fmt::format("  and {} more in runs.csv\n", findings.failures.size() - kMostFailures);
@@ -104,14 +105,14 @@ std::string ToText(const Experiment& experiment, const Findings& findings) {
   return text;
 }
 
-std::string ToCsv(const std::map<RunKey, RunRecord>& records) {
+std::string ToCsv(const Records& records, const RunLimits& limits) {
   std::string text =
       "scenario,agent,seed,outcome,message,time_s,distance_m,collisions,wall_s,cpu_s,command\n";
   for (const auto& [key, run] : records) {
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{}\n",
                    Quoted(key.scenario), Quoted(key.contender), key.seed, Name(run.outcome),
                    Quoted(run.message), run.time_s, run.distance_m, run.collisions, run.wall_s,
-                   run.cpu_s, Quoted(run.command));
+                   run.cpu_s, Quoted(RepeatOf(run, limits)));
   }
   return text;
 }

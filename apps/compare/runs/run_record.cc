@@ -139,6 +139,14 @@ RunRecord Judge(const PlannedRun& run, const process::ChildResult& child) {
   return record;
 }
 
+std::string RepeatOf(const RunRecord& record, const RunLimits& limits) {
+  if (record.outcome != Outcome::kTimedOut && record.outcome != Outcome::kCrashed) {
+    return record.command;
+  }
+  return fmt::format("(ulimit -v {}; timeout {:g} {})", limits.memory_mb * 1024,
+                     limits.wall_seconds, record.command);
+}
+
 std::string ToLine(const RunRecord& record) {
   Json layers = Json::array();
   for (const LayerRecord& layer : record.layers) {

@@ -61,6 +61,9 @@ struct RunRecord {
 /// From what the process of a run printed and how it ended.
 RunRecord Judge(const PlannedRun& run, const process::ChildResult& child);
 
+/// What a person types to see a run end as it did: where a limit ended it, within these.
+std::string RepeatOf(const RunRecord& record, const RunLimits& limits);
+
 /// One line of JSON, and back; nothing for a line that is none.
 std::string ToLine(const RunRecord& record);
 std::optional<RunRecord> FromLine(std::string_view line);

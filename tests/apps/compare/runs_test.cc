@@ -70,6 +70,23 @@ TEST(RunRecordTest, ProcessesThatDoNotEndWell) {
   EXPECT_EQ(Judge(kRun, child).outcome, Outcome::kInvalid);
 }
 
+TEST(RunRecordTest, WhatALimitEnded_IsRepeatedWithinTheLimits) {
+  RunRecord record;
+  record.command = "latchwork run a.xml --seed 7";
+  record.outcome = Outcome::kTimedOut;
+  const RunLimits limits{60, 2};
+  EXPECT_EQ(RepeatOf(record, limits), "(ulimit -v 2048; timeout 60 latchwork run a.xml --seed 7)");
+  record.outcome = Outcome::kCollision;
+  EXPECT_EQ(RepeatOf(record, limits), record.command);
+}
+
+TEST(RunRecordTest, WorldWithoutTime_IsTimedByItsTicks) {
+  EXPECT_EQ(JudgeOutput(R"({"outcome":"reached","ticks":30,"tick_s":0.5})").time_s, 15.0);
+  EXPECT_EQ(JudgeOutput(R"({"outcome":"reached","ticks":30,"tick_s":0.5,"measures":{"time_s":4}})")
+                .time_s,
+            4.0);
+}
+
 TEST(RunRecordTest, CommandIsQuotedForAShell) {
   EXPECT_EQ(JudgeOutput("{}").command, "latchwork run 'a file.xml' --seed 7");
 }
