@@ -101,7 +101,7 @@ TEST_F(CompareCommandTest, RunThatCannotBegin_EndsTheExperimentAndIsNotKept) {
   WriteText(scratch_.path() / "towers.xml", text);
   const CommandResult result = Compare({"--out", "all"});
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_THAT(result.err, HasSubstr("a run cannot begin: latchwork run"));
+  EXPECT_THAT(result.err, HasSubstr("towers.xml:"));
   EXPECT_THAT(result.err, HasSubstr("slop"));
   EXPECT_EQ(ReadText(scratch_.path() / "all/runs.jsonl").find("slipping"), std::string::npos);
 }

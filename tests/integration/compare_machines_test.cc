@@ -167,7 +167,7 @@ TEST_F(MpiTest, RunThatCannotBegin_EndsTheExperiment) {
   WriteText(scratch_.path() / "towers.xml", text);
   const CommandResult result = Mpi(std::string("-n 3") + kLatchwork + "--out all");
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_THAT(result.err, HasSubstr("a run cannot begin: latchwork run"));
+  EXPECT_THAT(result.err, HasSubstr("towers.xml:"));
   EXPECT_THAT(ReadText(scratch_.path() / "all/runs.jsonl"), Not(HasSubstr("slipping")));
 }
 
