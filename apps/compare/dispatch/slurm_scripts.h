@@ -19,7 +19,7 @@ struct SlurmJob {
   std::filesystem::path experiment;
   std::filesystem::path out;
   std::size_t shards = 1;
-  unsigned jobs = 1;  ///< Runs at a time, and processors, of a shard.
+  unsigned jobs = 1;               ///< Runs at a time, and processors, of a shard.
   std::uint64_t memory_mb = 4096;  ///< Of a run; asked for with each processor.
 };
 

@@ -94,7 +94,7 @@ class Checker {
            fmt::format("no run of '{}' in '{}' can begin within {} MB and {:g} s: {}",
                        run.key.contender, run.key.scenario, experiment_.limits.memory_mb,
                        experiment_.limits.wall_seconds, WhyOf(child)),
-           "allow more, as in memory=\"4096MB\" and wall=\"300s\"", ""});
+           R"(allow more, as in memory="4096MB" and wall="300s")", ""});
       return;
     }
     const auto contender =

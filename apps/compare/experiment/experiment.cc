@@ -160,7 +160,7 @@ class Reader {
     if (IsTold(seeds.place)) return;
     const std::size_t dash = seeds.value.find('-');
     experiment_.first_seed = NumberOf(seeds.value);
-    experiment_.last_seed = NumberOf(std::string_view(seeds.value).substr(dash + 1));
+    experiment_.last_seed = NumberOf(std::string_view{seeds.value}.substr(dash + 1));
     if (experiment_.last_seed < experiment_.first_seed) {
       Say(seeds.place, "the last seed comes before the first",
           fmt::format("write {}-{}", experiment_.last_seed, experiment_.first_seed));
