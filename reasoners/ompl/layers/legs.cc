@@ -37,7 +37,8 @@ FoundPath Legs::Between(logic::Symbol from, logic::Symbol to, Effort& effort) {
   if (known == known_.end()) {
     const Place& start = setup_.map->landmarks.at(key.first);
     const Place& end = setup_.map->landmarks.at(key.second);
-    FoundPath found = FindPath(spaces_.at(start.floor), start.at, end.at, setup_.paths, effort);
+    FoundPath found =
+        FindPath(spaces_.at(start.floor), {start.at, {}}, end.at, setup_.paths, effort);
     if (found.state == FoundPath::State::kUnknown) {
       ++setup_.paths
             .attempt;  // What the budget did not suffice for may be found in the next cycle.

@@ -91,7 +91,7 @@ class SeekJob final : public Job {
 
   FoundPath::State Plan(const Pose& pose, Point to, const FreeSpace& space, Effort& effort) {
     if (PathFits(pose, to)) return FoundPath::State::kFound;
-    FoundPath found = FindPath(space, pose.at, to, setup_.paths, effort);
+    FoundPath found = FindPath(space, {pose.at, pose.heading}, to, setup_.paths, effort);
     if (found.state == FoundPath::State::kUnknown) ++setup_.paths.attempt;
     path_ = std::move(found.path);
     floor_ = pose.floor;

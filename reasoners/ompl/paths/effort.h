@@ -16,7 +16,12 @@ class Effort {
  public:
   explicit Effort(const sdk::Budget& budget) : budget_(&budget) {}
 
-  void Spend() { ++spent_; }
+  /// False, and nothing is counted: the inferences are spent, so the check must not be made.
+  bool Spend() {
+    if (spent_ >= budget_->inferences) return false;
+    ++spent_;
+    return true;
+  }
   std::uint64_t spent() const { return spent_; }
   std::uint64_t left() const { return budget_->inferences - std::min(spent_, budget_->inferences); }
   /// Whether to stop now; kNone: go on.

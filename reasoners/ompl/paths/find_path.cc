@@ -46,18 +46,18 @@ double Length(const Path& path) {
   return length;
 }
 
-FoundPath FindPath(const FreeSpace& space, Point from, Point to, const PathSettings& settings,
-                   Effort& effort) {
-  const auto start = space.NearestFree(from, settings.snap);
+FoundPath FindPath(const FreeSpace& space, const PathStart& from, Point to,
+                   const PathSettings& settings, Effort& effort) {
+  const auto start = space.NearestFree(from.at, settings.snap);
   const auto goal = space.NearestFree(to, settings.snap);
   if (!start || !goal || !space.MayConnect(*start, *goal)) return {FoundPath::State::kNone, {}};
-  effort.Spend();
+  if (!effort.Spend()) return {FoundPath::State::kUnknown, {}};
   if (settings.space != SpaceKind::kReedsShepp && space.IsFree(*start, *goal)) {
-    return {FoundPath::State::kFound, WithEnds({*start, *goal}, from, to)};
+    return {FoundPath::State::kFound, WithEnds({*start, *goal}, from.at, to)};
   }
-  Path best = ShortestOf({space, *start, *goal, settings}, effort);
+  Path best = ShortestOf({space, {*start, from.heading}, *goal, settings}, effort);
   if (best.empty()) return {FoundPath::State::kUnknown, {}};
-  return {FoundPath::State::kFound, WithEnds(std::move(best), from, to)};
+  return {FoundPath::State::kFound, WithEnds(std::move(best), from.at, to)};
 }
 
 }  // namespace latchwork::planning

@@ -3,6 +3,7 @@
 #define LATCHWORK_OMPL_PATHS_FIND_PATH_H_
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,11 @@ struct PathSettings {
   bool optimize = false;  ///< Optimizing planners go on until the effort is spent.
 };
 
+struct PathStart {
+  Point at;
+  std::optional<double> heading;  ///< rad, for spaces that have one; none: whichever suits.
+};
+
 using Path = std::vector<Point>;  ///< Corners; at least two.
 
 double Length(const Path& path);
@@ -43,10 +49,11 @@ struct FoundPath {
   Path path;
 };
 
-/// A path that keeps the clearance of `space`, by a planner of OMPL. A function of its arguments
-/// alone. Thread rule: safe, but calls wait for each other: the seed of OMPL is the process's.
-FoundPath FindPath(const FreeSpace& space, Point from, Point to, const PathSettings& settings,
-                   Effort& effort);
+/// A path that keeps the clearance of `space`, by a planner of OMPL; it may end with any heading. A
+/// function of its arguments alone. Thread rule: safe, but calls wait for each other: the seed of
+/// OMPL is the process's.
+FoundPath FindPath(const FreeSpace& space, const PathStart& from, Point to,
+                   const PathSettings& settings, Effort& effort);
 
 }  // namespace latchwork::planning
 

@@ -54,7 +54,7 @@ std::uint32_t SeedOf(const PlannerQuestion& question) {
         std::bit_cast<std::uint64_t>(p.x) ^ std::rotl(std::bit_cast<std::uint64_t>(p.y), 17), draw);
   };
   const std::uint64_t draw = 2 * question.attempt;
-  const std::uint64_t mixed = bits(question.from, draw) ^ bits(question.to, draw + 1);
+  const std::uint64_t mixed = bits(question.from.at, draw) ^ bits(question.to, draw + 1);
   return static_cast<std::uint32_t>(mixed >> 33U) + 1U;
 }
 
@@ -110,7 +110,7 @@ class StraightMotions final : public ob::MotionValidator {
       : MotionValidator(space), question_(&question), effort_(&effort) {}
 
   bool checkMotion(const ob::State* a, const ob::State* b) const override {
-    effort_->Spend();
+    if (!effort_->Spend()) return false;
     const SpaceKind kind = question_->settings.space;
     return question_->space.IsFree(PlaceOf(a, kind), PlaceOf(b, kind));
   }
@@ -148,8 +148,8 @@ class Query {
         space_(std::make_shared<ob::SpaceInformation>(MakeSpace(question))),
         problem_(std::make_shared<ob::ProblemDefinition>(space_)),
         stop_([this] {
-          effort_->Spend();
-          return effort_->limit() != sdk::Limit::kNone || effort_->spent() >= question_->effort_end;
+          return !effort_->Spend() || effort_->limit() != sdk::Limit::kNone ||
+                 effort_->spent() >= question_->effort_end;
         }) {
     SetChecks();
     SetEnds();
@@ -179,8 +179,8 @@ class Query {
   void SetChecks() {
     const SpaceKind kind = question_->settings.space;
     space_->setStateValidityChecker([this, kind](const ob::State* state) {
-      effort_->Spend();
-      return space_->satisfiesBounds(state) && question_->space.IsFree(PlaceOf(state, kind));
+      return effort_->Spend() && space_->satisfiesBounds(state) &&
+             question_->space.IsFree(PlaceOf(state, kind));
     });
     if (kind == SpaceKind::kReedsShepp) {
       // OMPL's default, a hundredth of the floor's diagonal, cuts walls.
@@ -201,13 +201,20 @@ class Query {
     const int headings = question_->settings.space == SpaceKind::kPlane ? 1 : kHeadings;
     for (int i = 0; i < headings; ++i) {
       const double heading = 2.0 * std::numbers::pi * i / kHeadings - std::numbers::pi;
+      AddStart(question_->from.heading.value_or(heading));
       ob::ScopedState<> state(space_);
-      Set(state, question_->from, heading);
-      problem_->addStartState(state);
       Set(state, question_->to, heading);
       goals->addState(state);
     }
     problem_->setGoal(goals);
+  }
+
+  /// Once each.
+  void AddStart(double heading) {
+    if (question_->from.heading && problem_->getStartStateCount() > 0) return;
+    ob::ScopedState<> state(space_);
+    Set(state, question_->from.at, heading);
+    problem_->addStartState(state);
   }
 
   void Set(ob::ScopedState<>& state, Point place, double heading) const {
@@ -219,6 +226,7 @@ class Query {
     auto* const pose = state->as<ob::SE2StateSpace::StateType>();
     pose->setXY(place.x, place.y);
     pose->setYaw(heading);
+    space_->enforceBounds(state.get());
   }
 
   void Simplify(og::PathGeometric& path) {

@@ -10,7 +10,7 @@ namespace latchwork::planning {
 
 struct PlannerQuestion {
   const FreeSpace& space;
-  Point from;  ///< Free, and so is `to`.
+  PathStart from;  ///< Free, and so is `to`.
   Point to;
   const PathSettings& settings;
   std::uint64_t attempt = 0;     ///< Each has a seed of its own.

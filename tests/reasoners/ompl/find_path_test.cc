@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "reasoners/ompl/paths/planner_table.h"
 #include "tests/reasoners/ompl/small_maps.h"
 
@@ -16,7 +19,7 @@ class TwoRoomsTest : public ::testing::Test {
  protected:
   FoundPath Ask(const PathSettings& settings, const sdk::Budget& budget = kBudget) {
     Effort effort(budget);
-    FoundPath found = FindPath(space_, kLeft, kRight, settings, effort);
+    FoundPath found = FindPath(space_, {kLeft, {}}, kRight, settings, effort);
     spent_ = effort.spent();
     return found;
   }
@@ -54,10 +57,13 @@ TEST_P(PlannerTest, SameSeed_SamePathAndEffort) {
   EXPECT_EQ(spent_, spent);
 }
 
-TEST_P(PlannerTest, LittleBudget_StopsAndSaysUnknown) {
-  const FoundPath found = Ask({.planner = GetParam()}, {.inferences = 20});
-  EXPECT_EQ(found.state, FoundPath::State::kUnknown);
-  EXPECT_LT(spent_, 5'000U);
+TEST_P(PlannerTest, LittleBudget_NeverSpendsMoreAndSaysUnknown) {
+  for (const SpaceKind kind :
+       {SpaceKind::kPlane, SpaceKind::kPlaneAndHeading, SpaceKind::kReedsShepp}) {
+    const FoundPath found = Ask({.planner = GetParam(), .space = kind}, {.inferences = 20});
+    EXPECT_EQ(found.state, FoundPath::State::kUnknown);
+    EXPECT_EQ(spent_, 20U);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Planners, PlannerTest, ::testing::ValuesIn(PlannerNames()),
@@ -95,11 +101,27 @@ TEST_F(TwoRoomsTest, SpaceWithHeadings_FindsTheDoor) {
   }
 }
 
+/// From the first corner to the second, or the other way round: the nearer to `heading`.
+double TurnedFrom(double heading, const Path& path) {
+  const double bearing = std::atan2(path[1].y - path[0].y, path[1].x - path[0].x);
+  return std::abs(std::remainder(bearing - heading, std::numbers::pi));
+}
+
+TEST_F(TwoRoomsTest, Car_StartsAsItStands) {
+  for (const double heading : {-2.9, -0.6, 0.2, 1.2}) {
+    Effort effort(kBudget);
+    const PathSettings settings{.space = SpaceKind::kReedsShepp, .effort = 500'000, .tries = 1};
+    const FoundPath found = FindPath(space_, {kLeft, heading}, kRight, settings, effort);
+    ASSERT_EQ(found.state, FoundPath::State::kFound) << heading;
+    EXPECT_LT(TurnedFrom(heading, found.path), 0.12) << "half a decimetre's turn of " << heading;
+  }
+}
+
 TEST(FindPathTest, WalledIn_NoneForCertainWithoutAskingThePlanner) {
   const DistanceMap map(WalledIn());
   const FreeSpace space(map, kClearance);
   Effort effort(kBudget);
-  EXPECT_EQ(FindPath(space, kLeft, kRight, {}, effort).state, FoundPath::State::kNone);
+  EXPECT_EQ(FindPath(space, {kLeft, {}}, kRight, {}, effort).state, FoundPath::State::kNone);
   EXPECT_EQ(effort.spent(), 0U);
 }
 
@@ -107,14 +129,14 @@ TEST(FindPathTest, DoorTooNarrowForTheClearance_None) {
   const DistanceMap map(TwoRooms());
   const FreeSpace space(map, 0.8);
   Effort effort(kBudget);
-  EXPECT_EQ(FindPath(space, kLeft, kRight, {}, effort).state, FoundPath::State::kNone);
+  EXPECT_EQ(FindPath(space, {kLeft, {}}, kRight, {}, effort).state, FoundPath::State::kNone);
 }
 
 TEST(FindPathTest, ShutDoor_None) {
   const DistanceMap map(TwoRooms());
   const FreeSpace space(map, kClearance, {{{4.0, 4.75}, 0.6}});
   Effort effort(kBudget);
-  EXPECT_EQ(FindPath(space, kLeft, kRight, {}, effort).state, FoundPath::State::kNone);
+  EXPECT_EQ(FindPath(space, {kLeft, {}}, kRight, {}, effort).state, FoundPath::State::kNone);
 }
 
 TEST(FindPathTest, StartTooNearToAWall_MovedAndKept) {
@@ -122,7 +144,7 @@ TEST(FindPathTest, StartTooNearToAWall_MovedAndKept) {
   const FreeSpace space(map, kClearance);
   Effort effort(kBudget);
   const Point start{0.7, 3.0};
-  const FoundPath found = FindPath(space, start, {3.0, 1.0}, {}, effort);
+  const FoundPath found = FindPath(space, {start, {}}, {3.0, 1.0}, {}, effort);
   ASSERT_EQ(found.state, FoundPath::State::kFound);
   EXPECT_EQ(found.path.front(), start);
   EXPECT_LT(Distance(found.path[1], start), 0.3);
@@ -132,7 +154,8 @@ TEST(FindPathTest, GoalInAWall_None) {
   const DistanceMap map(Drawn({"#######", "#.....#", "#.....#", "#.....#", "#######"}, 40));
   const FreeSpace space(map, kClearance);
   Effort effort(kBudget);
-  EXPECT_EQ(FindPath(space, {3.0, 3.0}, {0.1, 5.0}, {}, effort).state, FoundPath::State::kNone);
+  EXPECT_EQ(FindPath(space, {{3.0, 3.0}, {}}, {0.1, 5.0}, {}, effort).state,
+            FoundPath::State::kNone);
 }
 
 TEST(FreeSpaceTest, ThinWall_IsNotCutByAnyMotion) {

@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "tests/reasoners/ompl/reasoner_mind.h"
 
 namespace latchwork::planning {
@@ -63,6 +66,17 @@ TEST(SeekJobTest, WallInTheWay_PushedTowardsTheDoor) {
   EXPECT_GT(planning, 20U);
   mind.Decide(facts);
   EXPECT_EQ(mind.decision().statistics.inferences, 0U) << "the path is kept";
+}
+
+TEST(SeekJobTest, Car_IsPushedAlongItsHeading) {
+  for (const std::string heading : {"-2.0", "0.4", "1.2"}) {
+    ReasonerMind mind(kSeek, {{"space", "reeds_shepp"}, {"lookahead", "0.3"}});
+    const Facts pushed = mind.Decide({"curr_location(10.0, 7.9)", "curr_heading(" + heading + ")",
+                                      "curr_floor(1)", "move_cmd(20.0, 7.9)"});
+    ASSERT_EQ(pushed.size(), 3U);
+    const double direction = std::stod(pushed[0].substr(pushed[0].find(' ')));
+    EXPECT_LT(std::abs(std::remainder(direction, std::numbers::pi)), 0.35) << pushed[0];
+  }
 }
 
 TEST(SeekJobTest, Sectors_RoundThePush) {
