@@ -21,7 +21,8 @@ say(T) :- write_term(T, [quoted(true), ignore_ops(true), nl(true)]).
 command(facts(Old, Rows)) :- retractall(Old), forall(member(R, Rows), assertz(R)).
 command(decide(Depth, Calls, Few)) :- within(Calls, decide(Depth, Few)).
 command(admit(Depth, Calls, Items)) :- reset, nb_setval(deepest, Depth),
-    forall(member(Item, Items), admit(Item, Depth, Calls)), say(done(none, 0, false)).
+    statistics(inferences, I0), Last is I0 + Calls,
+    forall(member(Item, Items), admit(Item, Depth, Last)), say(done(none, 0, false)).
 
 within(Calls, Goal) :-
     reset, statistics(inferences, I0),
@@ -57,7 +58,8 @@ decide_goal(Depth, G, All, Atom, D, Call) :-
 accept(G, All, Atom, Known) :-
     trie_insert(Known, Atom, 1), nb_getval(depth, L), b_getval(resting, R),
     ( ground(Atom) -> say(concluded(G, Atom, L, R)), All == false ; say(everything(Atom)), fail ).
-admit(item(I, Row, Goal, D, Call), Depth, Calls) :-
+admit(item(_, Row, _, _, _), _, Last) :- statistics(inferences, Now), Now >= Last, !, assertz(Row).
+admit(item(I, Row, Goal, D, Call), Depth, Last) :- statistics(inferences, Now), Calls is Last - Now,
     call_with_inference_limit(plainly(search(Depth, D, Call, true, End)), Calls, R),
     ( in_full(R), End == accepted -> offended(Goal, J), say(offends(I, J))
     ; assertz(Row), reset ).

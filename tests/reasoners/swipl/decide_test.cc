@@ -199,5 +199,28 @@ TEST_F(SwiplTest, Admit_ForgetsWhatFailedBeforeTheLastFact) {
   EXPECT_EQ(refused[0].index, 2U);
 }
 
+TEST_F(SwiplTest, Admit_ABatchSpendsOneBudget) {
+  Mind mind(R"(
+    fof(never, axiom, ![I,X,Y,Z] : ~ (a(I) & n(X) & n(Y) & n(Z) & $less(Z,0))).
+    fof(simple, axiom, ~ b(1)).
+    fof(one, axiom, n(1)). fof(two, axiom, n(2)). fof(three, axiom, n(3)). fof(four, axiom, n(4)).
+    fof(five, axiom, n(5)). fof(six, axiom, n(6)). fof(seven, axiom, n(7)). fof(eight, axiom, n(8)).
+  )");
+  mind.Input("a", 1);
+  mind.Input("b", 1);
+  mind.Goal("b(1)");
+  mind.Load();
+  const auto refused = [&](std::uint64_t inferences) {
+    mind.budget.inferences = inferences;
+    std::vector<sdk::Refusal> refusals;
+    const std::vector<logic::Fact> batch = {mind.Atom("a(1)"), mind.Atom("b(1)")};
+    mind.reasoner.Admit(mind.latches, 0, batch, mind.budget, refusals);
+    return refusals.size();
+  };
+  mind.Latch(0, {});
+  EXPECT_EQ(refused(10'000), 1U);
+  EXPECT_EQ(refused(60), 0U) << "nothing was left for the second";
+}
+
 }  // namespace
 }  // namespace latchwork::swipl
