@@ -27,7 +27,7 @@ command(admit(Depth, Calls, Items)) :- reset, nb_setval(deepest, Depth),
 within(Calls, Goal) :-
     reset, statistics(inferences, I0),
     call_with_inference_limit(once((Goal ; true)), Calls, R),
-    statistics(inferences, I1), I is I1 - I0, nb_getval(bound, B),
+    statistics(inferences, I1), I is min(I1 - I0, Calls), nb_getval(bound, B),
     ( R == inference_limit_exceeded -> End = inferences ; End = none ),
     say(done(End, I, B)).
 reset :- abolish_all_tables,
