@@ -24,6 +24,7 @@ struct Asked {
   std::vector<sdk::Latch> latches;
   std::vector<std::shared_ptr<sdk::Reasoner>> reasoners;  ///< None for what refuses the body.
   std::set<std::size_t> reported;
+  std::uint64_t left_out = 0;  ///< Of its decisions.
 };
 
 class Comparison : public schedule::RunObserver {
@@ -41,7 +42,14 @@ class Comparison : public schedule::RunObserver {
       for (const auto& port : asked.body.contract.inputs) {
         asked.latches.push_back({port.name, {}, 0});
       }
-      if (asked.body.language == "tptp") Load(asked, contenders);
+      if (asked.body.language == "tptp") {
+        Load(asked, contenders);
+      } else {
+        report_.notes.push_back(asked.body.language.empty()
+                                    ? fmt::format("layer {} has no theory", asked.name)
+                                    : fmt::format("layer {}: its body is in {}, not a theory",
+                                                  asked.name, asked.body.language));
+      }
     }
   }
 
@@ -85,7 +93,12 @@ class Comparison : public schedule::RunObserver {
     if (asked.reasoners.empty() || !asked.reasoners.front()) return;
     // What may hold or not takes as many decisions as there are states.
     for (const auto& latch : asked.latches) {
-      if (!latch.undecided.facts.empty()) return;
+      if (latch.undecided.facts.empty()) continue;
+      if (asked.left_out++ == 0) {
+        report_.notes.push_back(fmt::format(
+            "layer {}: decisions from facts that are undecided are left out", asked.name));
+      }
+      return;
     }
     const Verdict first = Decide(asked, 0);
     for (std::size_t i = 1; i < asked.reasoners.size(); ++i) {

@@ -213,8 +213,11 @@ int Finish(const DiffOptions& options, const Findings& findings, std::string_vie
   } else {
     fmt::print("{} {} compared: {} disagreements\nnot decided within the budget:", compared, what,
                findings.count());
-    for (const auto& [name, count] : undecided.items()) {
-      fmt::print(" {} {}", name, count.get<std::uint64_t>());
+    if (undecided.is_number()) fmt::print(" {}", undecided.get<std::uint64_t>());
+    if (undecided.is_object()) {
+      for (const auto& [name, count] : undecided.items()) {
+        fmt::print(" {} {}", name, count.get<std::uint64_t>());
+      }
     }
     fmt::print("\n");
   }
@@ -269,6 +272,13 @@ int DiffRecorded(const DiffOptions& options, const std::vector<Contender>& conte
     return report.exit_code;
   }
   for (const std::string& note : report.notes) fmt::print(stderr, "note: {}\n", note);
+  if (report.decisions == 0) {
+    fmt::print(stderr,
+               "latchwork: nothing of {} could be compared: no decision of a layer whose "
+               "theory two of the reasoners take\n",
+               options.journal.string());
+    return kInvalidInput;
+  }
   const std::string command = fmt::format("latchwork diff-reasoners --journal {} {}",
                                           options.journal.string(), ReasonersOption(contenders));
   for (const JournalDifference& difference : report.differences) {
@@ -320,7 +330,8 @@ void AddDiffReasoners(CLI::App& app, Context& context) {
       "Each\n"
       "disagreement is shrunk to a smallest theory and written as a file that prove reads. Exit "
       "code 6:\n"
-      "they disagree. A reasoner whose program is not installed is left out.\n\n"
+      "they disagree; 3: nothing of the journal could be compared. A reasoner whose program is not "
+      "installed is left out.\n\n"
       "Examples:\n"
       "  latchwork diff-reasoners --random 1000 --reasoners "
       "pttp,circumscription:mode=bounded,eprover,swipl\n"

@@ -56,6 +56,30 @@ TEST(DiffReasonersTest, Journal_TheSameLatchesForAll) {
   EXPECT_GT(json::parse(result.out).at("decisions"), 60);
 }
 
+TEST(DiffReasonersTest, JournalWithoutTheories_SaysThatNothingCouldBeCompared) {
+  const TemporaryFolder folder;
+  const std::string agent = LATCHWORK_SOURCE_DIR "/examples/icarus/cart_pole.xml";
+  RunLatchwork({"run", agent, "--ticks", "5", "--out", "out", "--quiet"}, folder.path());
+  const auto result = RunLatchwork({"diff-reasoners", "--journal", "out/run.journal", "--quiet",
+                                    "--reasoners", "pttp,circumscription"},
+                                   folder.path());
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(result.err, ::testing::HasSubstr("its body is in icarus, not a theory"));
+  EXPECT_THAT(result.err, ::testing::HasSubstr("nothing of out/run.journal could be compared"));
+}
+
+TEST(DiffReasonersTest, Journal_CountsWhatWasNotDecided) {
+  const TemporaryFolder folder;
+  const std::string agent = LATCHWORK_SOURCE_DIR "/examples/office/scenario1.xml";
+  RunLatchwork({"run", agent, "--ticks", "4", "--out", "out", "--quiet"}, folder.path());
+  const auto result = RunLatchwork({"diff-reasoners", "--journal", "out/run.journal", "--quiet",
+                                    "--reasoners", "pttp,pttp:unique_names=true"},
+                                   folder.path());
+  EXPECT_THAT(result.out, ::testing::HasSubstr("not decided within the budget: "));
+  EXPECT_THAT(result.out, ::testing::Not(::testing::HasSubstr(":  ")));
+}
+
 TEST(DiffReasonersTest, NothingToCompare_IsWrongUsage) {
   const TemporaryFolder folder;
   EXPECT_EQ(RunLatchwork({"diff-reasoners"}, folder.path()).exit_code, 2);
