@@ -37,12 +37,19 @@ std::string Quote(std::string_view text) {
   return quoted + '"';
 }
 
+/// `clause Name`; a source of several words says itself what it is.
+std::string TagOf(const DerivationStep& step) {
+  if (step.source.empty()) return std::string(NameOf(step.kind));
+  if (step.source.find(' ') != std::string::npos) return step.source;
+  return fmt::format("{} {}", NameOf(step.kind), step.source);
+}
+
 }  // namespace
 
 std::string ToText(const Derivation& derivation) {
   std::string text;
   for (const DerivationStep& step : derivation.steps) {
-    text += fmt::format("  {}  [{} {}]\n", step.conclusion, NameOf(step.kind), step.source);
+    text += fmt::format("  {}  [{}]\n", step.conclusion, TagOf(step));
   }
   return text;
 }

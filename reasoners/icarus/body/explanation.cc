@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "reasoners/icarus/language/signature.h"
 #include "reasoners/icarus/language/walk.h"
 
 namespace latchwork::icarus {
@@ -19,6 +20,17 @@ const Clause* FindClause(const Skill& skill, FormId form) {
   });
   return found;
 }
+
+/// What a clause that was True stands on, where it is neither a fact nor a skill.
+std::string SourceOf(EventKind kind, const std::string& text) {
+  if (kind == EventKind::kNot) return "not True";
+  if (kind == EventKind::kBind) return "by bind";
+  const Signature* const builtin = FindBuiltin(text.substr(0, text.find('(')));
+  if (builtin == nullptr) return {};
+  return builtin->changes_memory ? "change of memory" : "";
+}
+
+std::string SkillSource(const Skill& skill) { return "skill " + skill.spelling; }
 
 }  // namespace
 
@@ -150,10 +162,10 @@ void Explanation::AddFound(const Event& event, Kind kind, std::string text) {
   found.form = event.form;
   found.kind = kind;
   found.text = std::move(text);
-  if (kind == Kind::kLatch) found.source = "memory";
+  found.source = kind == Kind::kLatch ? "memory" : SourceOf(event.kind, found.text);
   if (event.kind == EventKind::kTrue) {
     found.call = event.index;
-    found.source = program_.skills[event.skill].spelling;
+    found.source = SkillSource(program_.skills[event.skill]);
   }
   found.answers = std::move(answers_);
   answers_.clear();
@@ -232,13 +244,13 @@ sdk::Derivation Explanation::Derive(std::uint32_t action) {
   std::vector<std::size_t> premises;
   for (const Call* const call : path) {
     const std::size_t step =
-        AddStep(Kind::kClause, call->text, program_.skills[call->skill].spelling, call->form,
+        AddStep(Kind::kClause, call->text, SkillSource(program_.skills[call->skill]), call->form,
                 std::move(premises), derivation);
     premises = AddSteps(call->found, derivation, 0);
     premises.insert(premises.begin(), step);
   }
   const Skill& skill = program_.skills[path.back()->skill];
-  AddStep(Kind::kClause, conclusion_, skill.spelling,
+  AddStep(Kind::kClause, conclusion_, SkillSource(skill),
           skill.slot_forms[static_cast<std::size_t>(Slot::kAction)], std::move(premises),
           derivation);
   return derivation;

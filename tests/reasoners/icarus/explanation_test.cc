@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "latchwork/sdk/explanation.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -51,6 +53,28 @@ TEST(IcarusExplanationTest, TellsTheSkillsAndWhatTheyRestOn) {
                   "9: list(4, 0) = halves(8) <- 3", "10: '='(0, 0)", "6: 'Fair'(8, 4) <- 4 <- 5",
                   "7: 'GoTo'(anna, 4) <- 0 <- 1 <- 2 <- 6", "11: go(anna, 4) <- 7"));
   EXPECT_THAT(Steps(mind, 1), IsEmpty());
+}
+
+TEST(IcarusExplanationTest, TagsWhatEachStepIs) {
+  ProgramMind mind(R"((top (Go))
+(facts (left 2) (old 1))
+(Go () :requires ((Tidy) (*not* (Blocked)) (left ?n) (bind ?m {+ ?n 1}) {> ?m 2}) :means ((Say ?m)))
+(Tidy () :sensor ({forget (old ?)}))
+(Blocked () :objective ((wall ahead)))
+(Say (?n) :action ({say ?n})))");
+  mind.Output("say", {ArgumentType::kInteger});
+  mind.Load();
+  EXPECT_THAT(mind.Decide(), ElementsAre("say(3)"));
+  EXPECT_EQ(sdk::ToText(mind.reasoner.Explain(0)),
+            "  'Go'  [skill Go]\n"
+            "  forget(old(X))  [change of memory]\n"
+            "  'Tidy'  [skill Tidy]\n"
+            "  ~ 'Blocked'  [not True]\n"
+            "  left(2)  [latch memory]\n"
+            "  3 = '+'(2, 1)  [by bind]\n"
+            "  '>'(3, 2)  [arithmetic]\n"
+            "  'Say'(3)  [skill Say]\n"
+            "  say(3)  [skill Say]\n");
 }
 
 TEST(IcarusExplanationTest, LeavesMemoryAndSequencesAlone) {
