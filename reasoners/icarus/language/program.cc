@@ -2,6 +2,8 @@
 #include "reasoners/icarus/language/program.h"
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "reasoners/icarus/language/program_builder.h"
@@ -19,18 +21,60 @@ std::uint32_t Program::Find(std::string_view name) const {
 
 namespace {
 
-/// Builds and checks what was read.
-void Finish(ProgramFile& result, const CheckOptions& options) {
+/// `'name'`, folded, of each form that begins a line and could not be read.
+std::vector<std::string> LostNames(const SourceTree& source) {
+  std::vector<std::string> lost;
+  auto root = source.roots.begin();
+  const std::string_view text = source.text;
+  for (std::size_t line = 0; line < text.size();) {
+    while (root != source.roots.end() && source.at(*root).end <= line) ++root;
+    const bool is_read = root != source.roots.end() && source.at(*root).begin <= line;
+    if (text[line] == '(' && !is_read) {
+      const std::size_t end = std::min(text.find_first_of(" \t\r\n(){};", line + 1), text.size());
+      lost.push_back("'" + Fold(text.substr(line + 1, end - line - 1)) + "'");
+    }
+    const std::size_t newline = text.find('\n', line);
+    line = newline == std::string_view::npos ? text.size() : newline + 1;
+  }
+  return lost;
+}
+
+/// What is only said because forms are missing that could not be read.
+bool IsFollowUp(const Finding& finding, const std::vector<std::string>& lost) {
+  if (finding.code == Code::kUnreachable || finding.code == Code::kUnknownFact ||
+      finding.code == Code::kNoSuchFact) {
+    return true;
+  }
+  const std::string message = Fold(finding.diagnostic.message);
+  return std::any_of(lost.begin(), lost.end(), [&](const std::string& name) {
+    return message.find(name) != std::string::npos;
+  });
+}
+
+/// What `result` holds so far is about reading.
+void Check(ProgramFile& result, const CheckOptions& options) {
   Program& program = result.program;
-  BuildProgram(program, result.findings);
-  Reporter reporter(program.source, result.findings);
-  if (!HasErrors(result.findings)) {
-    LintCalls(program, options, reporter, result.findings);
+  Findings found;
+  BuildProgram(program, found);
+  Reporter reporter(program.source, found);
+  if (!HasErrors(found)) {
+    LintCalls(program, options, reporter, found);
     LintTypes(program, reporter);
     LintVariables(program, reporter);
     LintSkills(program, options, reporter);
     LintSpelling(program, reporter);
   }
+  if (HasErrors(result.findings)) {
+    const std::vector<std::string> lost = LostNames(program.source);
+    std::erase_if(found, [&](const Finding& finding) { return IsFollowUp(finding, lost); });
+  }
+  std::move(found.begin(), found.end(), std::back_inserter(result.findings));
+}
+
+/// Builds and checks what was read.
+void Finish(ProgramFile& result, const CheckOptions& options) {
+  Program& program = result.program;
+  Check(result, options);
   Settle(program.source, result.findings);
 }
 

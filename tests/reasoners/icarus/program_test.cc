@@ -31,6 +31,16 @@ TEST(IcarusProgramTest, TablesOfThePaper_HaveNoFindings) {
   EXPECT_EQ(Codes(testing::kFastest), List());
 }
 
+TEST(IcarusProgramTest, AnUnclosedForm_TheOthersAreCheckedWithoutFollowUps) {
+  EXPECT_EQ(Codes("(top (Near c))\n"
+                  "(Near (?car) :objective ((Distance ?car ?d) {< ?d 1.0}) :means ((GoForwrd)))\n"
+                  "(GoForward () :action ({go ?z}))\n"
+                  "(Turn () :requires ((Lost 1) (Near ?_a ?_b)) :means ((GoForward)))\n"
+                  "(Lost (?x) :requires ((Turn))\n"
+                  "(Distance (?car ?d) :sensor ((bind ?d {range-to ?car})))\n"),
+            (List{"2:65 I015", "3:28 I017", "3:28 I021", "4:30 I011", "5:1 I001"}));
+}
+
 TEST(IcarusProgramTest, Clauses_AreResolvedInOrder) {
   const ProgramFile file = ReadProgram(
       "(facts (car c1) (c1 here 1))\n"
