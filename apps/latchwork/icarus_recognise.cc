@@ -39,6 +39,11 @@ bool IsGood(const std::string& file, const icarus::Findings& findings) {
   return false;
 }
 
+/// `top`, which is weighed with the recording, or the recording.
+std::string FileOf(const icarus::Findings& findings, const std::string& otherwise) {
+  return findings.empty() ? otherwise : findings.front().diagnostic.place.file;
+}
+
 bool RefuseEmpty(const std::string& recording) {
   fmt::print(stderr,
              "{}: error: the recording shows nothing that was done\n  hint: say it in each cycle: "
@@ -59,7 +64,7 @@ bool WeighProgram(const Settings& settings, const std::string& file, const std::
     Candidate candidate{file, top, {}, 0};
     candidate.evidence =
         icarus::WeighPlan(program.program, top, recording, settings.recording, findings);
-    if (!IsGood(settings.recording, findings)) return false;
+    if (!IsGood(FileOf(findings, settings.recording), findings)) return false;
     if (candidate.evidence.cycles == 0) return RefuseEmpty(settings.recording);
     candidates.push_back(std::move(candidate));
   }

@@ -121,6 +121,7 @@ TEST_F(IcarusToolsTest, TopWithoutASkill_IsRefused) {
     EXPECT_EQ(result.exit_code, 3) << command << result.out;
     EXPECT_NE(result.err.find("there is no skill 'Peaces'"), std::string::npos) << result.err;
     EXPECT_NE(result.err.find("did you mean 'Peace'"), std::string::npos) << result.err;
+    EXPECT_EQ(result.err.find("s.world: 1 error"), std::string::npos) << result.err;
   }
 }
 
