@@ -41,11 +41,11 @@ const sdk::Contract& PoleBalancerLayer::contract() const {
 
 std::span<const ParameterSpec> PoleBalancerLayer::parameters() const {
   static const std::vector<ParameterSpec> parameters = {
-      RealParameter("safe_lean", "0.12", 0.001, 1, "rad",
+      RealParameter("safe_lean", "0.16", 0.001, 1, "rad",
                     "beyond it, as foreseen, catching the pole is all that matters"),
       RealParameter("middle", "0.1", 0.001, 10, "m",
                     "so near, as foreseen, the cart is in the middle"),
-      RealParameter("greatest_lean", "0.08", 0.001, 0.5, "rad",
+      RealParameter("greatest_lean", "0.12", 0.001, 0.5, "rad",
                     "that brings the cart back to the middle"),
       RealParameter("stiffness", "45", 1, 1000, "N/rad", "force for each rad that the pole is off"),
   };
