@@ -39,7 +39,7 @@ bool AddTops(const IcarusSettings& settings, const std::string& script_name,
                "program or in the script, or use --top\n",
                script_name);
   }
-  return Accept(script_name, findings) && named;
+  return Accept(settings.top.empty() ? script_name : "top", findings) && named;
 }
 
 }  // namespace
