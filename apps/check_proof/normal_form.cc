@@ -230,6 +230,24 @@ void Push(Kind kind, Variable variable, Tree& tree) {
   }
 }
 
+/// Of literals or a conjunction: the conjunction of as many disjunctions. Nothing for others.
+std::optional<Tree> Distributed(const Tree& tree) {
+  if (tree.kind != Kind::kOr) return std::nullopt;
+  const auto& children = tree.children;
+  const auto is_and = [](const Tree& child) { return child.kind == Kind::kAnd; };
+  const auto is_simple = [&](const Tree& child) {
+    return child.kind == Kind::kLiteral || is_and(child);
+  };
+  if (std::ranges::count_if(children, is_and) != 1) return std::nullopt;
+  if (!std::ranges::all_of(children, is_simple)) return std::nullopt;
+  Tree conjunction{Kind::kAnd, {}, {}, {}};
+  for (const Tree& part : std::ranges::find_if(children, is_and)->children) {
+    Tree& disjunction = conjunction.children.emplace_back(Tree{Kind::kOr, {}, {part}, {}});
+    std::ranges::remove_copy_if(children, std::back_inserter(disjunction.children), is_and);
+  }
+  return conjunction;
+}
+
 void CollectConjuncts(const Tree& tree, std::vector<Variable>& prefix,
                       std::vector<Tree>& conjuncts) {
   if (tree.kind == Kind::kForall || tree.kind == Kind::kAnd) {
@@ -238,6 +256,9 @@ void CollectConjuncts(const Tree& tree, std::vector<Variable>& prefix,
     for (const Tree& child : tree.children) CollectConjuncts(child, prefix, conjuncts);
     prefix.resize(outer);
     return;
+  }
+  if (const std::optional<Tree> junction = Distributed(tree)) {
+    return CollectConjuncts(*junction, prefix, conjuncts);
   }
   Tree& conjunct = conjuncts.emplace_back(tree);
   const auto free = FreeSet(tree);

@@ -2,6 +2,7 @@
 #include "apps/check_proof/proof_checker.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -33,7 +34,11 @@ struct Step {
   const AnnotatedFormula* formula = nullptr;
   bool assumes_conjecture = false;  ///< It is a conjecture, or follows from one.
   bool is_instance = false;         ///< Of a clause, or true by itself, or resolved from such.
+  bool is_lemma = false;            ///< Says of a formula what its normal form is; true by itself.
   std::optional<std::pair<logic::PredicateName, Definition>> definition;
+  /// Names that stand for what they name: of lemmas, of halves of definitions, and of what follows
+  /// from these.
+  Definitions unfolded;
 };
 
 /// What an inference(...) says.
@@ -83,7 +88,8 @@ std::optional<Tree> Canonical(const Formula& formula, const Definitions& definit
 
 class Checker {
  public:
-  Checker(const logic::TptpFile& problem, logic::SymbolTable& symbols) : symbols_(symbols) {
+  Checker(const logic::TptpFile& problem, logic::SymbolTable& symbols)
+      : symbols_(symbols), mark_(symbols.Fresh("checked_")) {
     for (const AnnotatedFormula& formula : problem.formulas) {
       named_.emplace(formula.name, &formula);
       CollectSymbols(formula.formula, known_);
@@ -235,7 +241,17 @@ class Checker {
     if (inference.statuses != std::set<std::string>{"thm"}) {
       return Unchecked("its status is neither thm, cth nor esa");
     }
-    return CheckConsequence(*step.formula, inference);
+    if (inference.rule == "normalize") {
+      for (const Step* parent : inference.parents) {
+        step.unfolded.insert(parent->unfolded.begin(), parent->unfolded.end());
+      }
+      const Step* const first = inference.parents.empty() ? nullptr : inference.parents.front();
+      if (inference.parents.size() == 1 && first->definition) {
+        step.unfolded.insert(*first->definition);
+      }
+      step.is_lemma = CheckLemma(step, inference);
+    }
+    return step.is_lemma ? Finding() : CheckConsequence(step, inference);
   }
 
   Finding CheckNegation(const Step& step, const Inference& inference) {
@@ -284,11 +300,12 @@ class Checker {
     return fault.empty() ? Finding() : Rejected(fault);
   }
 
-  Finding CheckConsequence(const AnnotatedFormula& formula, const Inference& inference) {
+  Finding CheckConsequence(const Step& step, const Inference& inference) {
+    const AnnotatedFormula& formula = *step.formula;
     std::vector<const AnnotatedFormula*> premises;
     for (const Step* parent : inference.parents) premises.push_back(parent->formula);
     if (inference.rule == "normalize") {
-      const Verdict verdict = CheckNormalForm(formula, inference);
+      const Verdict verdict = CheckNormalForm(step, inference);
       return Judge(verdict, "it is no normal form of its parent");
     }
     if (inference.rule == "resolution" || formula.formula.kind() == Formula::Kind::kFalse) {
@@ -328,32 +345,73 @@ class Checker {
     return result;
   }
 
-  Verdict CheckNormalForm(const AnnotatedFormula& formula, const Inference& inference) {
-    Definitions definitions;
-    const Step* main = nullptr;
+  /// Whether it reads `formula => its normal form`, where names may stand for what they name. No
+  /// parents but other lemmas and definitions of the names: it is true by itself.
+  bool CheckLemma(Step& step, const Inference& inference) {
+    Definitions definitions = step.unfolded;
     for (const Step* parent : inference.parents) {
-      if (parent->definition && inference.parents.size() > 1) {
-        definitions.insert(*parent->definition);
-      } else if (main == nullptr) {
-        main = parent;
-      } else {
-        return Verdict::kNo;
-      }
+      if (parent->definition) definitions.insert(*parent->definition);
+      if (!parent->definition && !parent->is_lemma) return false;
     }
-    if (main == nullptr) return Verdict::kNo;
-    if (main->definition) return IsHalfOf(main->formula->formula, formula.formula);
-    return IsNormalFormOf(main->formula->formula, formula.formula, definitions);
+    const Formula& formula = step.formula->formula;
+    const bool is_closed = formula.kind() == Formula::Kind::kForall;
+    const Formula& inner = is_closed ? formula.children()[0] : formula;
+    if (inner.kind() != Formula::Kind::kImplies) return false;
+    std::vector<logic::Variable> variables;
+    if (is_closed) variables.assign(formula.variables().begin(), formula.variables().end());
+    const auto said = Marked(inner.children()[0], variables, definitions);
+    const auto normal = Marked(inner.children()[1], variables, definitions);
+    if (!said || !normal || !IsVariant(*said, *normal).value_or(false)) return false;
+    step.unfolded = std::move(definitions);
+    return true;
   }
 
-  /// Whether `b`, or each conjunct of it, is said by `a` in the same words.
-  static Verdict IsNormalFormOf(const Formula& a, const Formula& b,
+  /// `mark(variables) | formula` below their quantifier: two of these are variants only where the
+  /// same variables stand at the same places.
+  std::optional<Tree> Marked(const Formula& formula, const std::vector<logic::Variable>& variables,
+                             const Definitions& definitions) {
+    std::vector<Term> arguments;
+    for (const logic::Variable each : variables) arguments.push_back(Term::Var(each));
+    const Formula mark = Formula::Of(logic::Atom(mark_, std::move(arguments)));
+    const Formula marked = Formula::Or({mark, formula});
+    return Canonical(variables.empty() ? marked : Formula::Forall(variables, marked), definitions);
+  }
+
+  Verdict CheckNormalForm(const Step& step, const Inference& inference) {
+    const AnnotatedFormula& formula = *step.formula;
+    Definitions definitions;
+    std::vector<const Formula*> said;
+    for (const Step* parent : inference.parents) {
+      if (parent->is_lemma) continue;
+      if (parent->definition && inference.parents.size() > 1) {
+        definitions.insert(*parent->definition);
+      } else if (parent->definition) {
+        return IsHalfOf(parent->formula->formula, formula.formula);
+      } else {
+        said.push_back(&parent->formula->formula);
+      }
+    }
+    if (said.empty()) return Verdict::kNo;
+    const Verdict verdict = IsNormalFormOf(said, formula.formula, definitions);
+    if (verdict == Verdict::kYes || step.unfolded.empty()) return verdict;
+    definitions.insert(step.unfolded.begin(), step.unfolded.end());
+    return IsNormalFormOf(said, formula.formula, definitions);
+  }
+
+  /// Whether `b`, or each conjunct of it, is said by one of the formulas in the same words.
+  static Verdict IsNormalFormOf(const std::vector<const Formula*>& formulas, const Formula& b,
                                 const Definitions& definitions) {
-    const auto left = Canonical(a, definitions);
     const auto right = Canonical(b, definitions);
-    const auto same = left && right ? IsVariant(*left, *right) : std::nullopt;
-    if (!same) return Verdict::kTooHard;
-    if (*same) return Verdict::kYes;
-    const std::vector<Tree> said = ConjunctsOf(*left);
+    if (!right) return Verdict::kTooHard;
+    std::vector<Tree> said;
+    for (const Formula* each : formulas) {
+      const auto left = Canonical(*each, definitions);
+      const auto same = left ? IsVariant(*left, *right) : std::nullopt;
+      if (!same) return Verdict::kTooHard;
+      if (*same) return Verdict::kYes;
+      std::vector<Tree> conjuncts = ConjunctsOf(*left);
+      std::move(conjuncts.begin(), conjuncts.end(), std::back_inserter(said));
+    }
     for (const Tree& conjunct : ConjunctsOf(*right)) {
       const bool is_said = std::any_of(said.begin(), said.end(), [&](const Tree& each) {
         return IsVariant(each, conjunct).value_or(false);
@@ -376,7 +434,7 @@ class Checker {
         const auto variables = definition.variables();
         half = Formula::Forall({variables.begin(), variables.end()}, std::move(half));
       }
-      const Verdict one = IsNormalFormOf(half, formula, {});
+      const Verdict one = IsNormalFormOf({&half}, formula, {});
       if (one != Verdict::kNo) verdict = one;
       if (one == Verdict::kYes) break;
     }
@@ -395,6 +453,7 @@ class Checker {
   }
 
   logic::SymbolTable& symbols_;
+  logic::Symbol mark_;
   std::multimap<std::string, const AnnotatedFormula*> named_;
   std::vector<const AnnotatedFormula*> conjectures_;
   std::set<Symbol> known_;

@@ -152,6 +152,33 @@ TEST_F(CheckProofTest, ConjunctsOfAnAxiom_AreShownOneByOne) {
   EXPECT_EQ(result.exit_code, kVerified) << result.err;
 }
 
+/// Quantifiers within quantifiers, so many, of alternating variables; `x` is free.
+std::string NestedFormula(int depth, const std::string& x, const std::string& y) {
+  if (depth == 0) return fmt::format("p({})", x);
+  return fmt::format(
+      "! [{1}] : (~ r({0}, {1}) | ~ ({2} & (q{3}({1}) | ~ ! [{0}] : (~ r({1}, {0}) | p({0})))))", x,
+      y, NestedFormula(depth - 1, y, x), depth);
+}
+
+TEST_F(CheckProofTest, DeepNormalForm_IsShownPartByPart) {
+  const std::string formula = NestedFormula(5, "X", "Y");
+  const std::string proof =
+      Prove(fmt::format("fof(c, conjecture, ! [X] : ({0} => {0})).", formula));
+  const CommandResult result = Check(proof);
+  EXPECT_EQ(result.exit_code, kVerified) << result.err;
+  const std::string last_lemma = "~ ! [X] : ~ part_1(X) => ? [X] : part_1(X)";
+  const std::string unfolded = "! [X] : (~ part_1(X) | ! [Y] : (~ r(X, Y) | def_1(Y) | (~ q5(Y) & ";
+  for (const auto& [right, wrong] :
+       {std::pair{last_lemma, std::string("~ ! [X] : ~ part_1(X) => ! [X] : part_1(X)")},
+        {unfolded, Replaced(unfolded, "(~ q5(Y) &", "(~ q4(Y) &")},
+        {unfolded, Replaced(unfolded, "def_1(Y)", "def_1(X)")},
+        {unfolded, Replaced(unfolded, "~ part_1(X) | ", "")}}) {
+    const CommandResult changed = Check(Replaced(proof, right, wrong));
+    EXPECT_EQ(changed.exit_code, kRejected) << wrong;
+    EXPECT_THAT(changed.err, HasSubstr("it is no normal form of its parent")) << wrong;
+  }
+}
+
 struct Change {
   std::string name;
   std::string from;

@@ -84,6 +84,7 @@ TstpPrinter::TstpPrinter(const ProofSources& sources) : sources_(sources) {
     for (const Clause& clause : origins.normal_forms[i].clauses) {
       form_of_.emplace(ToString(clause), i);
     }
+    FindDeepForm(i);
   }
 }
 
@@ -167,7 +168,8 @@ std::string TstpPrinter::Definition(std::size_t index) {
   if (!name.empty()) return name;
   const ClauseOrigins::Definition& definition = sources_.origins.definitions[index];
   name = Line("fof", "definition", "definition",
-              ToString(definition.formula, definition.variable_names),
+              ToString(definition.formula, kept_names_.contains(index) ? *kept_names_.at(index)
+                                                                       : definition.variable_names),
               fmt::format("introduced(definition,[new_symbols(definition,[{}])],[])",
                           logic::QuoteWord(definition.name.name())));
   return name;
@@ -189,12 +191,16 @@ std::set<std::size_t> TstpPrinter::DefinitionsOf(const Symbols& predicates) cons
 std::string TstpPrinter::NormalForm(std::size_t index) {
   std::string& name = normal_forms_[index];
   if (!name.empty()) return name;
+  if (deep_forms_.contains(index)) name = DeepForm(index);
+  if (!name.empty()) return name;
   const ClauseOrigins::NormalForm& form = sources_.origins.normal_forms[index];
+  const auto kept = kept_names_.find(form.definition);
+  const Names& variables = kept == kept_names_.end() ? form.normal_names : *kept->second;
   std::vector<std::string> parents{form.definition == ClauseOrigins::kNone
                                        ? FormulaParent(form.formula)
                                        : Definition(form.definition)};
   if (form.definition == ClauseOrigins::kNone) AddNames(form, parents);
-  name = Line("fof", "normal_form", "plain", ToString(form.normal, form.normal_names),
+  name = Line("fof", "normal_form", "plain", ToString(form.normal, variables),
               Inference("normalize", "thm", parents));
   return name;
 }

@@ -9,11 +9,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "latchwork/logic/clause.h"
 #include "latchwork/logic/clause_origins.h"
 #include "latchwork/logic/formula.h"
+#include "latchwork/logic/symbol.h"
+#include "reasoners/pttp/proofs/formula_pairs.h"
 #include "reasoners/pttp/proofs/naming_stages.h"
 
 namespace latchwork::pttp {
@@ -49,6 +52,7 @@ class TstpPrinter {
 
  private:
   using Symbols = std::set<logic::Symbol>;
+  using Names = std::vector<std::string>;
 
   std::string NewName(std::string_view stem);
   std::string Line(std::string_view language, std::string_view stem, std::string_view role,
@@ -61,6 +65,12 @@ class TstpPrinter {
   std::string NegatedConjecture(std::size_t index);
   std::string Definition(std::size_t index);
   std::string NormalForm(std::size_t index);
+  /// Notes whether the form is to be shown in steps; it and its names then keep the names that
+  /// variables have in the file, as parts that read alike are easier to recognise.
+  void FindDeepForm(std::size_t index);
+  std::string DeepForm(std::size_t index);
+  std::pair<logic::Atom, std::string> NamePart(const logic::Formula& part, const Names& names);
+  BodyOf Bodies() const;
   /// Parents of a normal form besides the formula. Where it has many names and it can be done,
   /// steps before it bring in a few of them at a time; the last one then replaces the formula.
   void AddNames(const logic::ClauseOrigins::NormalForm& form, std::vector<std::string>& parents);
@@ -88,6 +98,9 @@ class TstpPrinter {
   std::map<std::size_t, std::string> definitions_;
   std::map<std::size_t, std::string> normal_forms_;
   std::map<std::size_t, std::string> skolemized_;
+  std::map<std::size_t, std::vector<FormulaPair>> deep_forms_;
+  std::map<std::size_t, const Names*> kept_names_;  ///< By the index of the definition.
+  logic::SymbolTable part_symbols_;                 ///< Of names that parts of deep forms have.
   std::map<std::string, std::string, std::less<>> inputs_;  ///< By the text of a clause.
 };
 
