@@ -371,6 +371,7 @@ class Checker {
   std::optional<Tree> Marked(const Formula& formula, const std::vector<logic::Variable>& variables,
                              const Definitions& definitions) {
     std::vector<Term> arguments;
+    arguments.reserve(variables.size());
     for (const logic::Variable each : variables) arguments.push_back(Term::Var(each));
     const Formula mark = Formula::Of(logic::Atom(mark_, std::move(arguments)));
     const Formula marked = Formula::Or({mark, formula});
