@@ -71,13 +71,13 @@ logic::SourcePlace PlaceOf(const Contender& contender, const std::string& messag
 std::string WhyOf(const process::ChildResult& child) {
   switch (child.end) {
     case End::kTimedOut:
-      return "reading it takes longer than 'wall' allows";
+      return "the program needs more time to begin";
     case End::kSignalled:
-      return fmt::format("reading it was ended by signal {}", child.code);
+      return fmt::format("the program was ended by signal {}", child.code);
     case End::kNotStarted:
       return "the program cannot be started: " + child.errors;
     default:
-      return fmt::format("reading it ended with exit code {}{}{}", child.code,
+      return fmt::format("the program ended with exit code {}{}{}", child.code,
                          child.errors.empty() ? "" : ": ",
                          child.errors.substr(0, child.errors.find('\n')));
   }
@@ -87,16 +87,20 @@ class Checker {
  public:
   explicit Checker(const Experiment& experiment) : experiment_(experiment) {}
 
+  /// What the program itself came to within the limits. False: no run can begin.
+  bool TakeProgram(const process::ChildResult& child) {
+    if (child.end == End::kStopped || (child.end == End::kExited && child.code == 0)) return true;
+    Add({experiment_.limits_place,
+         fmt::format("no run can begin within {} MB and {:g} s: {}", experiment_.limits.memory_mb,
+                     experiment_.limits.wall_seconds, WhyOf(child)),
+         R"(allow more, as in memory="4096MB" and wall="300s")", ""});
+    return false;
+  }
+
+  /// An agent whose check crashes or takes too long is left to its runs: these are outcomes.
   void Take(const PlannedRun& run, const process::ChildResult& child) {
     auto told = child.end == End::kExited ? ReadDiagnostics(child.output) : std::nullopt;
-    if (!told || (told->empty() && child.code != 0)) {
-      Add({experiment_.limits_place,
-           fmt::format("no run of '{}' in '{}' can begin within {} MB and {:g} s: {}",
-                       run.key.contender, run.key.scenario, experiment_.limits.memory_mb,
-                       experiment_.limits.wall_seconds, WhyOf(child)),
-           R"(allow more, as in memory="4096MB" and wall="300s")", ""});
-      return;
-    }
+    if (!told) return;
     const auto contender =
         std::ranges::find(experiment_.contenders, run.key.contender, &Contender::name);
     for (logic::Diagnostic& each : *told) {
@@ -131,6 +135,12 @@ class Checker {
 logic::Diagnostics CheckAgents(const Experiment& experiment, const std::vector<PlannedRun>& runs,
                                const Launch& launch, const std::atomic<bool>& stop) {
   Checker checker(experiment);
+  if (runs.empty()) return {};
+  std::vector<std::string> version = launch.arguments;
+  version.emplace_back("--version");
+  if (!checker.TakeProgram(process::RunChild(launch.program, version, experiment.limits, stop))) {
+    return checker.Finish();
+  }
   std::set<std::vector<std::string>> checked;
   for (const PlannedRun& run : runs) {
     std::vector<std::string> words = CheckingOf(run, launch);
