@@ -257,9 +257,6 @@ void CollectConjuncts(const Tree& tree, std::vector<Variable>& prefix,
     prefix.resize(outer);
     return;
   }
-  if (const std::optional<Tree> junction = Distributed(tree)) {
-    return CollectConjuncts(*junction, prefix, conjuncts);
-  }
   Tree& conjunct = conjuncts.emplace_back(tree);
   const auto free = FreeSet(tree);
   for (const Variable variable : prefix) {
@@ -379,6 +376,19 @@ std::vector<Tree> ConjunctsOf(const Tree& tree) {
   std::vector<Variable> prefix;
   CollectConjuncts(tree, prefix, conjuncts);
   return conjuncts;
+}
+
+std::vector<Tree> PartsOf(const Tree& conjunct) {
+  std::vector<Variable> prefix;
+  const Tree* inner = &conjunct;
+  for (; inner->kind == Kind::kForall; inner = &inner->children[0]) {
+    prefix.insert(prefix.end(), inner->variables.begin(), inner->variables.end());
+  }
+  const std::optional<Tree> junction = Distributed(*inner);
+  if (!junction) return {conjunct};
+  std::vector<Tree> parts;
+  CollectConjuncts(*junction, prefix, parts);
+  return parts;
 }
 
 std::optional<bool> IsVariant(const Tree& a, const Tree& b) {

@@ -62,6 +62,10 @@ void MoveQuantifiersInwards(Tree& tree);
 /// are nested, each below those that bind something in it, with quantifiers moved inwards.
 std::vector<Tree> ConjunctsOf(const Tree& tree);
 
+/// The same of a conjunct that is a disjunction of literals and one conjunction, which is
+/// distributed; of others, the conjunct.
+std::vector<Tree> PartsOf(const Tree& conjunct);
+
 /// Equal but for the numbers of bound variables and the order within blocks of quantifiers,
 /// conjunctions and disjunctions. Nothing when it takes too long to say.
 std::optional<bool> IsVariant(const Tree& a, const Tree& b);

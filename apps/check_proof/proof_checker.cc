@@ -413,13 +413,26 @@ class Checker {
       std::vector<Tree> conjuncts = ConjunctsOf(*left);
       std::move(conjuncts.begin(), conjuncts.end(), std::back_inserter(said));
     }
-    for (const Tree& conjunct : ConjunctsOf(*right)) {
-      const bool is_said = std::any_of(said.begin(), said.end(), [&](const Tree& each) {
+    const std::vector<Tree> conjuncts = ConjunctsOf(*right);
+    if (AreSaid(conjuncts, said)) return Verdict::kYes;
+    return AreSaid(AllPartsOf(conjuncts), AllPartsOf(said)) ? Verdict::kYes : Verdict::kNo;
+  }
+
+  static std::vector<Tree> AllPartsOf(const std::vector<Tree>& conjuncts) {
+    std::vector<Tree> all;
+    for (const Tree& conjunct : conjuncts) {
+      std::vector<Tree> parts = PartsOf(conjunct);
+      std::move(parts.begin(), parts.end(), std::back_inserter(all));
+    }
+    return all;
+  }
+
+  static bool AreSaid(const std::vector<Tree>& conjuncts, const std::vector<Tree>& said) {
+    return std::all_of(conjuncts.begin(), conjuncts.end(), [&](const Tree& conjunct) {
+      return std::any_of(said.begin(), said.end(), [&](const Tree& each) {
         return IsVariant(each, conjunct).value_or(false);
       });
-      if (!is_said) return Verdict::kNo;
-    }
-    return Verdict::kYes;
+    });
   }
 
   /// Whether a formula is one of the two implications of a definition.

@@ -77,7 +77,7 @@ def report(rows):
     line("without equality", (r for r in rows if r["equality"] == "no"))
     line("with equality", (r for r in rows if r["equality"] == "yes"))
     line("planning (PLA, PLG)", (r for r in rows if r["name"][:3] in ("PLA", "PLG")))
-    easy = [r["cpu"] for r in rows if float(r["rating"]) == 0 and r["solved"]]
+    easy = [r["cpu"] for r in rows if r["rating"] in ("0", "0.0", "0.00") and r["solved"]]
     if easy:
         median = 1000 * statistics.median(easy)
         print(f"processor time of those rated 0 that are solved: median {median:.1f} ms")

@@ -179,6 +179,15 @@ TEST_F(CheckProofTest, DeepNormalForm_IsShownPartByPart) {
   }
 }
 
+TEST_F(CheckProofTest, ConjunctionBelowAQuantifier_IsMovedOut) {
+  const std::string proof = Prove(
+      "fof(a, axiom, ![E, F, T] : (rel(E, F, T) <=> ?[H] : (E = tap & F = level(H))))."
+      "fof(b, axiom, rel(c, d, e)). fof(c, conjecture, c = tap).");
+  EXPECT_THAT(proof, HasSubstr("(~ rel(E, F, T) | (E = tap & ? [H] : F = level(H)))"));
+  const CommandResult result = Check(proof);
+  EXPECT_EQ(result.exit_code, kVerified) << result.err;
+}
+
 struct Change {
   std::string name;
   std::string from;
