@@ -97,6 +97,15 @@ Formula Formula::Equivalent(Formula a, Formula b) {
   return result;
 }
 
+Formula Formula::With(std::vector<Formula> children) const {
+  if (children.empty()) return *this;
+  Formula result(new Node(kind()));
+  const auto bound = variables();
+  result.node_->variables.assign(bound.begin(), bound.end());
+  result.node_->children = std::move(children);
+  return result;
+}
+
 Formula Formula::Forall(std::vector<Variable> variables, Formula child) {
   Formula result(new Node(Kind::kForall));
   result.node_->variables = std::move(variables);

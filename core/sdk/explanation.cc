@@ -21,9 +21,17 @@ std::string_view NameOf(Kind kind) {
     case Kind::kArithmetic:
       return "arithmetic";
     case Kind::kReduction:
+      return "reduction";
+    case Kind::kSkill:
+      return "skill";
+    case Kind::kNotTrue:
+      return "not True";
+    case Kind::kBinding:
+      return "by bind";
+    case Kind::kMemoryChange:
       break;
   }
-  return "reduction";
+  return "change of memory";
 }
 
 /// A JSON string.
@@ -37,11 +45,9 @@ std::string Quote(std::string_view text) {
   return quoted + '"';
 }
 
-/// `clause Name`; a source of several words says itself what it is.
+/// `clause Name`.
 std::string TagOf(const DerivationStep& step) {
-  if (step.source.empty()) return std::string(NameOf(step.kind));
-  if (step.source.find(' ') != std::string::npos) return step.source;
-  return fmt::format("{} {}", NameOf(step.kind), step.source);
+  return fmt::format("{}{}{}", NameOf(step.kind), step.source.empty() ? "" : " ", step.source);
 }
 
 }  // namespace

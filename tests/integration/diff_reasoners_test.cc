@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "tests/integration/run_command.h"
 #include "tests/temporary_folder.h"
@@ -45,24 +46,26 @@ TEST(DiffReasonersTest, APlantedBug_IsFoundAndShrunk) {
   }
 }
 
-TEST(DiffReasonersTest, Journal_TheSameLatchesForAll) {
+/// The decisions of an example's first ticks, made anew by these reasoners.
+CommandResult CompareRecorded(const std::string& example, const std::string& ticks,
+                              const std::string& reasoners, bool as_json = false) {
   const TemporaryFolder folder;
-  const std::string agent = LATCHWORK_SOURCE_DIR "/examples/office/scenario1.xml";
-  RunLatchwork({"run", agent, "--ticks", "40", "--out", "out", "--quiet"}, folder.path());
-  const auto result = RunLatchwork({"diff-reasoners", "--journal", "out/run.journal", "--json",
-                                    "--quiet", "--reasoners", "pttp,circumscription"},
-                                   folder.path());
+  const std::string agent = LATCHWORK_SOURCE_DIR "/examples/" + example;
+  RunLatchwork({"run", agent, "--ticks", ticks, "--out", "out", "--quiet"}, folder.path());
+  std::vector<std::string> words = {"diff-reasoners", "--journal",   "out/run.journal",
+                                    "--quiet",        "--reasoners", reasoners};
+  if (as_json) words.emplace_back("--json");
+  return RunLatchwork(words, folder.path());
+}
+
+TEST(DiffReasonersTest, Journal_TheSameLatchesForAll) {
+  const auto result = CompareRecorded("office/scenario1.xml", "40", "pttp,circumscription", true);
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
   EXPECT_GT(json::parse(result.out).at("decisions"), 60);
 }
 
 TEST(DiffReasonersTest, JournalWithoutTheories_SaysThatNothingCouldBeCompared) {
-  const TemporaryFolder folder;
-  const std::string agent = LATCHWORK_SOURCE_DIR "/examples/icarus/cart_pole.xml";
-  RunLatchwork({"run", agent, "--ticks", "5", "--out", "out", "--quiet"}, folder.path());
-  const auto result = RunLatchwork({"diff-reasoners", "--journal", "out/run.journal", "--quiet",
-                                    "--reasoners", "pttp,circumscription"},
-                                   folder.path());
+  const auto result = CompareRecorded("icarus/cart_pole.xml", "5", "pttp,circumscription");
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.out, "");
   EXPECT_THAT(result.err, ::testing::HasSubstr("its body is in icarus, not a theory"));
@@ -70,12 +73,7 @@ TEST(DiffReasonersTest, JournalWithoutTheories_SaysThatNothingCouldBeCompared) {
 }
 
 TEST(DiffReasonersTest, Journal_CountsWhatWasNotDecided) {
-  const TemporaryFolder folder;
-  const std::string agent = LATCHWORK_SOURCE_DIR "/examples/office/scenario1.xml";
-  RunLatchwork({"run", agent, "--ticks", "4", "--out", "out", "--quiet"}, folder.path());
-  const auto result = RunLatchwork({"diff-reasoners", "--journal", "out/run.journal", "--quiet",
-                                    "--reasoners", "pttp,pttp:unique_names=true"},
-                                   folder.path());
+  const auto result = CompareRecorded("office/scenario1.xml", "4", "pttp,pttp:unique_names=true");
   EXPECT_THAT(result.out, ::testing::HasSubstr("not decided within the budget: "));
   EXPECT_THAT(result.out, ::testing::Not(::testing::HasSubstr(":  ")));
 }

@@ -70,18 +70,7 @@ class Expansion {
       if (formula.kind() == Kind::kNot || premise) own = Opposite(polarity);
       expanded.push_back(Expand(children[i], own, depth + 1));
     }
-    switch (formula.kind()) {
-      case Kind::kNot:
-        return Formula::Not(std::move(expanded[0]));
-      case Kind::kAnd:
-        return Formula::And(std::move(expanded));
-      case Kind::kOr:
-        return Formula::Or(std::move(expanded));
-      case Kind::kImplies:
-        return Formula::Implies(std::move(expanded[0]), std::move(expanded[1]));
-      default:
-        return Formula::Equivalent(std::move(expanded[0]), std::move(expanded[1]));
-    }
+    return formula.With(std::move(expanded));
   }
 
   Formula ExpandQuantifier(const Formula& formula, Polarity polarity, int depth) {

@@ -21,16 +21,13 @@ const Clause* FindClause(const Skill& skill, FormId form) {
   return found;
 }
 
-/// What a clause that was True stands on, where it is neither a fact nor a skill.
-std::string SourceOf(EventKind kind, const std::string& text) {
-  if (kind == EventKind::kNot) return "not True";
-  if (kind == EventKind::kBind) return "by bind";
+/// Of a test that was True.
+sdk::DerivationStep::Kind KindOfTest(const std::string& text) {
   const Signature* const builtin = FindBuiltin(text.substr(0, text.find('(')));
-  if (builtin == nullptr) return {};
-  return builtin->changes_memory ? "change of memory" : "";
+  const bool changes = builtin != nullptr && builtin->changes_memory;
+  return changes ? sdk::DerivationStep::Kind::kMemoryChange
+                 : sdk::DerivationStep::Kind::kArithmetic;
 }
-
-std::string SkillSource(const Skill& skill) { return "skill " + skill.spelling; }
 
 }  // namespace
 
@@ -113,22 +110,25 @@ void Explanation::OnEvent(const Event& event) {
       AddCall(event);
       break;
     case EventKind::kTrue:
-      if (event.truth) AddFound(event, Kind::kClause, ClauseText(event));
+      if (event.truth) AddFound(event, Kind::kSkill, ClauseText(event));
       break;
     case EventKind::kHost:
     case EventKind::kKnown:
       AddAnswer(event);
       break;
     case EventKind::kTest:
+      if (event.truth) AddFound(event, KindOfTest(ClauseText(event)), ClauseText(event));
+      answers_.clear();
+      break;
     case EventKind::kBind:
-      if (event.truth) AddFound(event, Kind::kArithmetic, ClauseText(event));
+      if (event.truth) AddFound(event, Kind::kBinding, ClauseText(event));
       answers_.clear();
       break;
     case EventKind::kMatch:
       if (event.truth) AddFound(event, Kind::kLatch, Text(event.answer));
       break;
     case EventKind::kNot:
-      if (event.truth) AddFound(event, Kind::kAssumption, ClauseText(event));
+      if (event.truth) AddFound(event, Kind::kNotTrue, ClauseText(event));
       break;
     case EventKind::kObjective:
       if (!event.truth) calls_[event.in].found.clear();
@@ -162,10 +162,10 @@ void Explanation::AddFound(const Event& event, Kind kind, std::string text) {
   found.form = event.form;
   found.kind = kind;
   found.text = std::move(text);
-  found.source = kind == Kind::kLatch ? "memory" : SourceOf(event.kind, found.text);
+  if (kind == Kind::kLatch) found.source = "memory";
   if (event.kind == EventKind::kTrue) {
     found.call = event.index;
-    found.source = SkillSource(program_.skills[event.skill]);
+    found.source = program_.skills[event.skill].spelling;
   }
   found.answers = std::move(answers_);
   answers_.clear();
@@ -244,13 +244,13 @@ sdk::Derivation Explanation::Derive(std::uint32_t action) {
   std::vector<std::size_t> premises;
   for (const Call* const call : path) {
     const std::size_t step =
-        AddStep(Kind::kClause, call->text, SkillSource(program_.skills[call->skill]), call->form,
+        AddStep(Kind::kSkill, call->text, program_.skills[call->skill].spelling, call->form,
                 std::move(premises), derivation);
     premises = AddSteps(call->found, derivation, 0);
     premises.insert(premises.begin(), step);
   }
   const Skill& skill = program_.skills[path.back()->skill];
-  AddStep(Kind::kClause, conclusion_, SkillSource(skill),
+  AddStep(Kind::kSkill, conclusion_, skill.spelling,
           skill.slot_forms[static_cast<std::size_t>(Slot::kAction)], std::move(premises),
           derivation);
   return derivation;

@@ -169,31 +169,6 @@ void CollectVariables(const Term& term, std::set<Variable>& variables) {
   for (const Term& argument : term.arguments()) CollectVariables(argument, variables);
 }
 
-Formula Rebuilt(const Formula& formula, std::vector<Formula> children) {
-  switch (formula.kind()) {
-    case Kind::kNot:
-      return Formula::Not(std::move(children[0]));
-    case Kind::kAnd:
-      return Formula::And(std::move(children));
-    case Kind::kOr:
-      return Formula::Or(std::move(children));
-    case Kind::kImplies:
-      return Formula::Implies(std::move(children[0]), std::move(children[1]));
-    case Kind::kEquivalent:
-      return Formula::Equivalent(std::move(children[0]), std::move(children[1]));
-    case Kind::kForall:
-    case Kind::kExists:
-      break;
-    default:
-      return formula;
-  }
-  const auto bound = formula.variables();
-  std::vector<Variable> variables(bound.begin(), bound.end());
-  return formula.kind() == Kind::kForall
-             ? Formula::Forall(std::move(variables), std::move(children[0]))
-             : Formula::Exists(std::move(variables), std::move(children[0]));
-}
-
 }  // namespace
 
 std::optional<std::vector<FormulaPair>> PairFormulas(const Formula& said, bool positive,
@@ -231,7 +206,7 @@ Formula Replaced(const Formula& formula, const Replacements& by) {
   if (const auto found = by.find(&formula); found != by.end()) return found->second;
   std::vector<Formula> children;
   for (const Formula& child : formula.children()) children.push_back(Replaced(child, by));
-  return children.empty() ? formula : Rebuilt(formula, std::move(children));
+  return formula.With(std::move(children));
 }
 
 Formula Closed(Formula formula) {

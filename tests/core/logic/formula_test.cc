@@ -26,6 +26,18 @@ TEST_F(FormulaTest, Parts_AreKept) {
   EXPECT_EQ(formula.children()[0].children()[0].atom().predicate().name(), "p");
 }
 
+TEST_F(FormulaTest, OtherChildren_BelowTheSameConnectiveOrQuantifier) {
+  const Formula p = Proposition("p");
+  const Formula q = Proposition("q");
+  EXPECT_EQ(ToString(Formula::Implies(p, p).With({q, p})), "q => p");
+  EXPECT_EQ(ToString(Formula::Not(p).With({q})), "~ q");
+  const Formula bound = Formula::Forall({0, 3}, p).With({q});
+  EXPECT_EQ(bound.kind(), Formula::Kind::kForall);
+  EXPECT_EQ(bound.variables()[1], 3U);
+  EXPECT_EQ(ToString(bound.children()[0]), "q");
+  EXPECT_EQ(ToString(p.With({})), "p");
+}
+
 TEST_F(FormulaTest, Copies_ShareAndSurvive) {
   Formula copy;
   {

@@ -105,7 +105,7 @@ TEST_F(SearchedExplanationTest, AssumptionsNameWhatClausesLackInEveryWorld) {
             "  penguin(opus)  [latch latch0]\n"
             "  ~ bird(X) | abnormal(X) | flies(X)  [clause birds]\n"
             "  ~ penguin(X) | ~ flies(X)  [clause penguins]\n"
-            "  abnormal(opus)  [minimal models]\n");
+            "  abnormal(opus)  [reduction minimal models]\n");
   EXPECT_EQ(TextOf(1),
             "nothing concludes abnormal(tweety):\n"
             "  'birds' has 1 of 2 premises and lacks ~ flies(tweety)\n");

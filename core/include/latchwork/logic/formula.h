@@ -49,6 +49,9 @@ class Formula {
   static Formula Forall(std::vector<Variable> variables, Formula child);
   static Formula Exists(std::vector<Variable> variables, Formula child);
 
+  /// The same connective or quantifier of other children, as many; an atom or constant has none.
+  Formula With(std::vector<Formula> children) const;
+
   Kind kind() const;
   const Atom& atom() const;                     ///< kAtom only.
   std::span<const Formula> children() const;    ///< Empty for atoms and constants.

@@ -87,11 +87,15 @@ struct DerivationStep {
     kAssumption,
     kAttachment,
     kArithmetic,
-    kReduction
+    kReduction,
+    kSkill,
+    kNotTrue,
+    kBinding,
+    kMemoryChange
   };
   Kind kind = Kind::kClause;
   std::string conclusion;  ///< A literal in TPTP syntax.
-  std::string source;      ///< Name of the clause, latch port or attachment.
+  std::string source;      ///< Name of the clause, skill, latch port or attachment; may be empty.
   logic::SourcePlace place;
   std::vector<std::size_t> premises;
 };
