@@ -21,7 +21,7 @@ enum class Op : std::uint8_t {
   kMatch,      ///< a: name of the head, or kNoName. b, c: the items of the pattern.
   kNot,        ///< a: where to go on. b: 1 for *notA*.
   kNotEnd,     ///< The negated clause is True.
-  kObjective,  ///< a: what is asked when the objective is False; 0: nothing.
+  kObjective,  ///< a: what is asked when the objective is False. b: 1 when it is kTest only.
   kMeans,      ///< a, b: in CompiledProgram::branches.
   kSequence,   ///< a, b: the addresses of the steps, in CompiledProgram::branches.
   kStepEnd,    ///< The step is True.

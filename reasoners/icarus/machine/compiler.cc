@@ -86,7 +86,7 @@ class Compiler {
     const std::vector<Clause>* means = skill.slot(Slot::kMeans);
     if (objective != nullptr) {
       const Address at = Here();
-      if (required != nullptr || means != nullptr) Emit({Op::kObjective});
+      if (required != nullptr || means != nullptr) Emit({Op::kObjective, 0, OnlyTests(*objective)});
       AddConjunction(*objective);
       Emit({Op::kExit});
       if (code_.instructions[at].op != Op::kObjective) return;
@@ -98,6 +98,13 @@ class Compiler {
     } else {
       AddBranches(*means, Op::kMeans, Op::kExit);
     }
+  }
+
+  static std::uint32_t OnlyTests(const std::vector<Clause>& clauses) {
+    const bool only = std::all_of(clauses.begin(), clauses.end(), [](const Clause& clause) {
+      return clause.kind == ClauseKind::kCall;
+    });
+    return only ? 1 : 0;
   }
 
   void AddConjunction(const std::vector<Clause>& clauses) {

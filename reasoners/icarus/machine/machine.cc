@@ -17,15 +17,12 @@ Machine::Machine(const CompiledProgram& code, const Program& program, Host& host
       true_(Value::Symbol(names.Intern("t"))) {}
 
 /// False: this way has come to its end.
-inline bool Machine::Step(const Instruction& instruction) {
+[[gnu::always_inline]] inline bool Machine::Step(const Instruction& instruction) {
   switch (instruction.op) {
     case Op::kCall:
       return Call(instruction);
     case Op::kTest:
-      if (!Spend(instruction.form)) return false;
-      clause_form_ = instruction.form;
-      ++pc_;
-      return !CallFunction(instruction.a, base_).is_none();
+      return Test(instruction);
     case Op::kBind:
       return Bind(instruction);
     case Op::kTakeApart:
@@ -38,12 +35,15 @@ inline bool Machine::Step(const Instruction& instruction) {
       scopes_[scope_].truth = true;
       return false;
     case Op::kObjective:
+      if (instruction.b == 1 && !traced()) return TestObjective(instruction);
       PushChoice(ChoiceKind::kObjective, instruction.a);
       scopes_[scope_].in_objective = true;
       ++pc_;
       return true;
     case Op::kMeans:
-      return Means(instruction);
+      if (instruction.b != 1 || options_.expansion != Expansion::kAll) return Means(instruction);
+      ++pc_;
+      return true;
     case Op::kSequence:
       return Sequence();
     case Op::kStepEnd:
@@ -62,8 +62,9 @@ inline bool Machine::Step(const Instruction& instruction) {
 
 template <bool kTraced>
 void Machine::Loop() {
+  const Instruction* const instructions = code_.instructions.data();
   while (!stopped_) {
-    const Instruction& instruction = code_.instructions[pc_];
+    const Instruction& instruction = instructions[pc_];
     const Index scope = scope_;
     const std::size_t mark = trail_.size();
     const bool going = Step(instruction);
@@ -75,7 +76,7 @@ void Machine::Loop() {
 void Machine::Run(Address entry, std::uint32_t variables, std::uint64_t cycle,
                   const CycleLimits& limits) {
   arena_.Reset();
-  cache_.Begin();
+  cache_.Begin(code_.calls.size());
   acts_.clear();
   environment_values_.clear();
   environments_ = 0;
@@ -260,6 +261,18 @@ bool Machine::Call(const Instruction& instruction) {
     const Value value = ValueOfSkill(instruction.a, base);
     scope.has_value = value.is_number();
     scope.value = value.is_number() ? value.number() : 0;
+  }
+  return true;
+}
+
+/// An objective that binds nothing is True at most once, and needs no way back.
+bool Machine::TestObjective(const Instruction& objective) {
+  ++pc_;
+  while (code_.instructions[pc_].op == Op::kTest) {
+    if (!Test(code_.instructions[pc_])) {
+      pc_ = objective.a;
+      return true;
+    }
   }
   return true;
 }

@@ -128,6 +128,7 @@ class Machine {
   Scope& PushScope(ScopeKind kind);
   Index PushFrame(std::uint32_t variables);
   bool Call(const Instruction& instruction);
+  bool TestObjective(const Instruction& objective);
   bool Exit();
   bool IsRepeated(Scope& scope, const Instruction& call);
   void CollectVariables(const TermCode& term, Index base);
@@ -179,6 +180,12 @@ class Machine {
     const CallCode& call = code_.calls[index];
     if (call.kind == CallCode::Kind::kHost) return CallHost(call, index, base);
     return CallOther(call, base);
+  }
+  bool Test(const Instruction& instruction) {
+    if (!Spend(instruction.form)) return false;
+    clause_form_ = instruction.form;
+    ++pc_;
+    return !CallFunction(instruction.a, base_).is_none();
   }
   Value CallOther(const CallCode& call, Index base);
   bool PushArguments(const CallCode& call, Index base);

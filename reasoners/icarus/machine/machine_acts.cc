@@ -38,13 +38,15 @@ bool Machine::MakeAct(const Instruction& instruction) {
 PathSkill* Machine::MakePath(Index index, Index base) {
   const Scope& scope = scopes_[index];
   const SkillCode& skill = code_.skills[scope.skill];
-  std::span<const Value> variables;
-  if (skill.variables != 0) {
-    variables = arena_.CopyValues({frames_.data() + base, skill.variables});
+  auto* const path =
+      static_cast<PathSkill*>(arena_.Allocate(sizeof(PathSkill) + skill.variables * sizeof(Value)));
+  auto* const variables = reinterpret_cast<Value*>(path + 1);
+  for (std::uint32_t i = 0; i < skill.variables; ++i) {
+    ::new (variables + i) Value(frames_[base + i]);
   }
   const FormId form = code_.instructions[scope.call].form;
-  return ::new (arena_.Allocate(sizeof(PathSkill)))
-      PathSkill{scope.skill, form, variables.first(skill.parameters), variables, nullptr};
+  return ::new (path) PathSkill{
+      scope.skill, form, {variables, skill.parameters}, {variables, skill.variables}, nullptr};
 }
 
 /// The callers of a skill, the nearest first. Their variables do not change while it is asked, so

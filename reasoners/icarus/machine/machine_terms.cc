@@ -165,6 +165,19 @@ bool Machine::PushArguments(const CallCode& call, Index base) {
   return true;
 }
 
+inline Value Machine::AskHost(const CallCode& call, std::span<const Value> arguments) {
+  try {
+    const Value answer = host_.Call(call.function, arguments, arena_, names_);
+    if (traced()) TraceHost(EventKind::kHost, call, arguments, answer);
+    return answer;
+  } catch (const std::exception& thrown) {
+    FailHost(call, arguments, thrown.what());
+  } catch (...) {
+    FailHost(call, arguments, "failed");
+  }
+  return {};
+}
+
 Value Machine::CallOther(const CallCode& call, Index base) {
   if (call.kind == CallCode::Kind::kChange) return ChangeMemory(call, base);
   const std::size_t mark = scratch_.size();
@@ -208,19 +221,6 @@ Value Machine::CallHost(const CallCode& call, std::uint32_t index, Index base) {
   const Value answer = AskHost(call, known->values());
   cache_.Keep(*known, answer);
   return answer;
-}
-
-Value Machine::AskHost(const CallCode& call, std::span<const Value> arguments) {
-  try {
-    const Value answer = host_.Call(call.function, arguments, arena_, names_);
-    if (traced()) TraceHost(EventKind::kHost, call, arguments, answer);
-    return answer;
-  } catch (const std::exception& thrown) {
-    FailHost(call, arguments, thrown.what());
-  } catch (...) {
-    FailHost(call, arguments, "failed");
-  }
-  return {};
 }
 
 void Machine::FailHost(const CallCode& call, std::span<const Value> arguments, const char* error) {

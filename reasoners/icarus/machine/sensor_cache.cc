@@ -2,6 +2,7 @@
 #include "reasoners/icarus/machine/sensor_cache.h"
 
 #include <algorithm>
+#include <new>
 
 namespace latchwork::icarus {
 
@@ -25,47 +26,49 @@ bool IsOf(const SensorCache::Call& call, std::uint32_t function, std::span<const
 
 SensorCache::Call& SensorCache::Find(std::size_t place, std::uint32_t function,
                                      std::span<const Value> arguments) {
-  if (place >= places_.size()) places_.resize(place + 1, kNoCall);
   places_[place] = Search(function, arguments);
-  return calls_[places_[place]];
+  return *places_[place];
 }
 
-/// The number of the call, which is new when it was not known.
-std::uint32_t SensorCache::Search(std::uint32_t function, std::span<const Value> arguments) {
+/// The call, which is new when it was not known.
+SensorCache::Call* SensorCache::Search(std::uint32_t function, std::span<const Value> arguments) {
   const std::uint64_t hash = HashOf(function, arguments);
-  if (2 * calls_.size() >= table_.size()) Grow();
+  if (2 * calls_ >= table_.size()) Grow();
   const std::size_t mask = table_.size() - 1;
   std::size_t at = hash & mask;
-  for (; table_[at] != kNoCall; at = (at + 1) & mask) {
-    const Call& call = calls_[table_[at]];
-    if (call.hash == hash && IsOf(call, function, arguments)) return table_[at];
+  for (; table_[at] != nullptr; at = (at + 1) & mask) {
+    Call* const call = table_[at];
+    if (call->hash == hash && IsOf(*call, function, arguments)) return call;
   }
-  const std::span<Value> copy = arguments_.MakeValues(arguments.size());
-  for (std::size_t i = 0; i < copy.size(); ++i) copy[i] = arguments_.Copy(arguments[i]);
-  table_[at] = static_cast<std::uint32_t>(calls_.size());
-  Call& made = calls_.emplace_back();
-  made.arguments = copy.data();
-  made.count = static_cast<std::uint32_t>(copy.size());
-  made.function = function;
-  made.hash = hash;
-  return table_[at];
+  const std::span<Value> copy = arena_.MakeValues(arguments.size());
+  for (std::size_t i = 0; i < copy.size(); ++i) copy[i] = arena_.Copy(arguments[i]);
+  Call* const made = ::new (arena_.Allocate(sizeof(Call))) Call;
+  made->arguments = copy.data();
+  made->count = static_cast<std::uint32_t>(copy.size());
+  made->function = function;
+  made->hash = hash;
+  table_[at] = made;
+  ++calls_;
+  return made;
 }
 
 void SensorCache::Grow() {
-  table_.assign(2 * table_.size(), kNoCall);
-  const std::size_t mask = table_.size() - 1;
-  for (std::uint32_t i = 0; i < calls_.size(); ++i) {
-    std::size_t at = calls_[i].hash & mask;
-    while (table_[at] != kNoCall) at = (at + 1) & mask;
-    table_[at] = i;
+  std::vector<Call*> larger(2 * table_.size(), nullptr);
+  const std::size_t mask = larger.size() - 1;
+  for (Call* const call : table_) {
+    if (call == nullptr) continue;
+    std::size_t at = call->hash & mask;
+    while (larger[at] != nullptr) at = (at + 1) & mask;
+    larger[at] = call;
   }
+  table_.swap(larger);
 }
 
 void SensorCache::ForgetCalls() {
-  calls_.clear();
-  std::fill(table_.begin(), table_.end(), kNoCall);
-  std::fill(places_.begin(), places_.end(), kNoCall);
-  arguments_.Reset();
+  std::fill(table_.begin(), table_.end(), nullptr);
+  std::fill(places_.begin(), places_.end(), nullptr);
+  calls_ = 0;
+  arena_.Reset();
 }
 
 }  // namespace latchwork::icarus

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -17,16 +16,18 @@ namespace latchwork::icarus {
 /// answers are not.
 class SensorCache {
  public:
-  SensorCache() : table_(64, kNoCall) {}
+  SensorCache() : table_(64, nullptr) {}
 
-  /// Begins a cycle: forgets all answers, and the calls, too, when most are of earlier cycles.
-  void Begin() {
-    if (calls_.size() > 2 * answered_ + kSpareCalls) ForgetCalls();
+  /// Begins a cycle of a program with so many places: forgets all answers, and the calls, too, when
+  /// most are of earlier cycles.
+  void Begin(std::size_t places) {
+    if (calls_ > 2 * answered_ + kSpareCalls) ForgetCalls();
+    if (places > places_.size()) places_.resize(places, nullptr);
     ++cycle_;
     answered_ = 0;
   }
 
-  /// Good until the next Find.
+  /// Good until the next Begin.
   struct Call {
     std::uint64_t cycle = 0;  ///< In which it was answered.
     Value answer;
@@ -39,10 +40,7 @@ class SensorCache {
   };
 
   /// The call that was asked at this place last; null: none is known.
-  Call* Last(std::size_t place) {
-    if (place >= places_.size() || places_[place] == kNoCall) return nullptr;
-    return &calls_[places_[place]];
-  }
+  Call* Last(std::size_t place) { return places_[place]; }
   Call& Find(std::size_t place, std::uint32_t function, std::span<const Value> arguments);
 
   bool IsAnswered(const Call& call) const { return call.cycle == cycle_; }
@@ -54,17 +52,16 @@ class SensorCache {
   }
 
  private:
-  static constexpr std::uint32_t kNoCall = std::numeric_limits<std::uint32_t>::max();
   static constexpr std::size_t kSpareCalls = 64;
 
-  std::uint32_t Search(std::uint32_t function, std::span<const Value> arguments);
+  Call* Search(std::uint32_t function, std::span<const Value> arguments);
   void Grow();
   void ForgetCalls();
 
-  std::vector<Call> calls_;
-  std::vector<std::uint32_t> table_;   ///< Calls by hash; a power of two.
-  std::vector<std::uint32_t> places_;  ///< The last call of each place.
-  Arena arguments_;
+  std::vector<Call*> table_;   ///< Calls by hash; a power of two.
+  std::vector<Call*> places_;  ///< The last call of each place.
+  std::size_t calls_ = 0;
+  Arena arena_;  ///< Of the calls and their arguments.
   std::uint64_t cycle_ = 0;
   std::size_t answered_ = 0;
 };
