@@ -36,6 +36,21 @@ Formula Connect(Kind connective, std::vector<Formula> values) {
 
 }  // namespace
 
+bool ReadTptpType(TptpCursor& cursor, TptpType& type) {
+  const std::string_view name = cursor.token().text;
+  if (name == "$i") {
+    type = TptpType::kIndividual;
+  } else if (name == "$int") {
+    type = TptpType::kInteger;
+  } else if (name == "$real") {
+    type = TptpType::kReal;
+  } else {
+    return cursor.FailExpected("the type $i, $int or $real", "other types are not supported");
+  }
+  cursor.Advance();
+  return true;
+}
+
 TptpFormulaParser::TptpFormulaParser(TptpCursor& cursor, SymbolTable& symbols)
     : cursor_(cursor), terms_(cursor, symbols) {}
 
@@ -44,6 +59,7 @@ std::optional<Formula> TptpFormulaParser::Read(TptpLanguage language) {
   terms_.Begin(language == TptpLanguage::kCnf);
   prefixes_.clear();
   values_.clear();
+  types_.clear();
   groups_.assign(1, Group());
   const SourcePlace place = cursor_.place();
   while (true) {
@@ -108,17 +124,13 @@ bool TptpFormulaParser::ReadVariables(std::vector<Variable>& variables) {
 }
 
 bool TptpFormulaParser::ReadVariableType() {
+  TptpType& type = types_.emplace_back(TptpType::kNone);
   if (!cursor_.Is(Kind::kColon)) return true;
   if (language_ != TptpLanguage::kTff) {
     return cursor_.Fail("types belong to tff", "write tff(...) instead of fof(...)");
   }
   cursor_.Advance();
-  const std::string_view type = cursor_.token().text;
-  if (type == "$i" || type == "$int" || type == "$real") {
-    cursor_.Advance();
-    return true;
-  }
-  return cursor_.FailExpected("the type $i, $int or $real", "other types are not supported");
+  return ReadTptpType(cursor_, type);
 }
 
 void TptpFormulaParser::ApplyPrefixes() {

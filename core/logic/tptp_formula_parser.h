@@ -6,15 +6,20 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/logic/tptp_cursor.h"
 #include "core/logic/tptp_term_parser.h"
+#include "core/logic/tptp_types.h"
 #include "latchwork/logic/formula.h"
 
 namespace latchwork::logic {
 
 enum class TptpLanguage : std::uint8_t { kCnf, kFof, kTff };
+
+/// $i, $int or $real; false: it is none, which is reported.
+bool ReadTptpType(TptpCursor& cursor, TptpType& type);
 
 /// Reads formulas. What is begun and not yet ended stands on explicit stacks. On a fault it has
 /// been reported, and nothing comes back.
@@ -26,6 +31,8 @@ class TptpFormulaParser {
   std::optional<Formula> Read(TptpLanguage language);
   /// Indexed by the variables of the formula read last.
   std::vector<std::string> VariableNames() { return terms_.scope().Names(); }
+  /// The same: what was written of their types.
+  std::vector<TptpType> VariableTypes() { return std::move(types_); }
 
  private:
   /// `~`, `! [X] :` or `? [X] :`, waiting for its formula.
@@ -60,6 +67,7 @@ class TptpFormulaParser {
   std::vector<Prefix> prefixes_;
   std::vector<Group> groups_;
   std::vector<Formula> values_;
+  std::vector<TptpType> types_;
 };
 
 }  // namespace latchwork::logic

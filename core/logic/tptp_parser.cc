@@ -54,11 +54,14 @@ std::string RoleHint(std::string_view word) {
 }  // namespace
 
 TptpParser::TptpParser(std::string_view text, std::string_view name, SymbolTable& symbols,
-                       const TptpOptions& options, TptpFile& result, IncludeHandler include)
+                       const TptpOptions& options, TptpFile& result, TptpTypes& types,
+                       IncludeHandler include)
     : cursor_(text, name, options.max_tokens, result.diagnostics),
       formulas_(cursor_, symbols),
       options_(options),
       result_(result),
+      types_(types),
+      symbols_(symbols),
       include_(std::move(include)) {}
 
 void TptpParser::Read() {
@@ -101,7 +104,7 @@ bool TptpParser::ReadAnnotated(TptpLanguage language) {
       !ReadRole(language, role) || !cursor_.Expect(Kind::kComma, "',' after the role")) {
     return false;
   }
-  if (!role) return SkipTypeDeclaration() && ReadEnd();
+  if (!role) return ReadTypeDeclaration({annotated.name, {}, {}, {}, annotated.place});
   annotated.role = *role;
   std::string_view source;
   const char* const begin = cursor_.token().text.data();
@@ -109,6 +112,8 @@ bool TptpParser::ReadAnnotated(TptpLanguage language) {
   const char* const end = cursor_.token().text.data();
   if (!ReadAnnotations(source) || !ReadEnd()) return false;
   result_.formulas.push_back(std::move(annotated));
+  types_.variables.emplace_back();
+  if (language == TptpLanguage::kTff) types_.variables.back() = formulas_.VariableTypes();
   if (options_.keep_sources) result_.sources.emplace_back(source);
   if (options_.keep_texts) {
     result_.texts.emplace_back(begin, language == TptpLanguage::kTff ? begin : end);
@@ -181,18 +186,61 @@ bool TptpParser::SkipAnnotations() {
   return SkipBalanced(false);
 }
 
-bool TptpParser::SkipTypeDeclaration() {
-  const SourcePlace place = cursor_.place();
-  std::size_t depth = 0;
-  for (; depth > 0 || !cursor_.Is(Kind::kRightParenthesis); cursor_.Advance()) {
-    if (cursor_.Is(Kind::kEnd) || cursor_.Is(Kind::kBad)) return cursor_.FailExpected("')'");
-    if (cursor_.token().text == "$tType") {
-      return cursor_.Fail("types of one's own are not supported",
-                          "the types known are $i, $int and $real");
-    }
-    if (cursor_.Is(Kind::kLeftParenthesis)) ++depth;
-    if (cursor_.Is(Kind::kRightParenthesis)) --depth;
+bool TptpParser::ReadTypeDeclaration(TptpDeclaration declaration) {
+  std::size_t open = 0;
+  while (cursor_.Accept(Kind::kLeftParenthesis)) ++open;
+  std::string symbol;
+  if (!ReadName(symbol)) return false;
+  declaration.symbol = symbols_.Intern(symbol);
+  if (!cursor_.Expect(Kind::kColon, "':' and the type", "a declaration reads p: $i > $o")) {
+    return false;
   }
+  if (!ReadFunctionType(declaration)) return false;
+  for (; open > 0; --open) {
+    if (!cursor_.Expect(Kind::kRightParenthesis, "')'")) return false;
+  }
+  std::string_view source;
+  if (!ReadAnnotations(source) || !ReadEnd()) return false;
+  types_.declarations.push_back(std::move(declaration));
+  return true;
+}
+
+bool TptpParser::ReadFunctionType(TptpDeclaration& declaration) {
+  std::size_t open = 0;
+  while (cursor_.Accept(Kind::kLeftParenthesis)) ++open;
+  if (!ReadResultType(declaration)) return false;
+  std::vector<TptpType> types = {declaration.result};
+  const auto close = [&] {
+    while (open > 0 && cursor_.Accept(Kind::kRightParenthesis)) --open;
+  };
+  while (open > 0 && cursor_.Accept(Kind::kStar)) {
+    if (!ReadTptpType(cursor_, types.emplace_back())) return false;
+  }
+  close();
+  if (cursor_.token().text == ">") {
+    cursor_.Advance();
+    if (!ReadResultType(declaration)) return false;
+    close();
+    declaration.arguments = std::move(types);
+  } else if (types.size() > 1) {
+    return cursor_.FailExpected("'>' and the type of the result",
+                                "a predicate of two arguments is ($i * $i) > $o");
+  }
+  if (std::find(declaration.arguments.begin(), declaration.arguments.end(), TptpType::kTruth) !=
+      declaration.arguments.end()) {
+    return cursor_.Fail("a truth value is no argument", "$o is the type of what a predicate gives");
+  }
+  return open == 0 || cursor_.FailExpected("')'");
+}
+
+bool TptpParser::ReadResultType(TptpDeclaration& declaration) {
+  if (cursor_.token().text == "$tType") {
+    return cursor_.Fail("types of one's own are not supported",
+                        "the types known are $i, $int and $real");
+  }
+  if (cursor_.token().text != "$o") return ReadTptpType(cursor_, declaration.result);
+  declaration.result = TptpType::kTruth;
+  cursor_.Advance();
   return true;
 }
 

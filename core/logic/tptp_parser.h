@@ -10,6 +10,7 @@
 
 #include "core/logic/tptp_cursor.h"
 #include "core/logic/tptp_formula_parser.h"
+#include "core/logic/tptp_types.h"
 #include "latchwork/logic/tptp.h"
 
 namespace latchwork::logic {
@@ -32,7 +33,8 @@ class TptpParser {
   using IncludeHandler = std::function<std::optional<TptpIncludeFault>(const TptpInclude&)>;
 
   TptpParser(std::string_view text, std::string_view name, SymbolTable& symbols,
-             const TptpOptions& options, TptpFile& result, IncludeHandler include);
+             const TptpOptions& options, TptpFile& result, TptpTypes& types,
+             IncludeHandler include);
 
   void Read();
 
@@ -46,7 +48,10 @@ class TptpParser {
   /// Gives the text between the formula's comma and the closing parenthesis.
   bool ReadAnnotations(std::string_view& source);
   bool SkipAnnotations();
-  bool SkipTypeDeclaration();
+  bool ReadTypeDeclaration(TptpDeclaration declaration);
+  /// The parts of a type, `(a * b) > c`, without parentheses around the whole.
+  bool ReadFunctionType(TptpDeclaration& declaration);
+  bool ReadResultType(TptpDeclaration& declaration);
   /// To the end of a list, which is not consumed: `)`, or also `,`.
   bool SkipBalanced(bool to_comma);
   bool ReadEnd();
@@ -58,6 +63,8 @@ class TptpParser {
   TptpFormulaParser formulas_;
   const TptpOptions& options_;
   TptpFile& result_;
+  TptpTypes& types_;
+  SymbolTable& symbols_;
   IncludeHandler include_;
 };
 

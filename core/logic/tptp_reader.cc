@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/logic/tptp_parser.h"
+#include "core/logic/tptp_types.h"
 #include "latchwork/logic/tptp.h"
 
 namespace latchwork::logic {
@@ -31,7 +32,7 @@ class Reader {
     } else {
       Parse(text, name, {});
     }
-    return std::move(result_);
+    return Finished();
   }
 
   TptpFile ReadFile(const fs::path& file) {
@@ -39,11 +40,18 @@ class Reader {
       result_.diagnostics.push_back(
           {{file.string()}, std::move(fault->message), std::move(fault->hint), {}});
     }
-    return std::move(result_);
+    return Finished();
   }
 
  private:
   using Fault = std::optional<TptpIncludeFault>;
+
+  TptpFile Finished() {
+    const bool typed = std::any_of(types_.variables.begin(), types_.variables.end(),
+                                   [](const auto& types) { return types.has_value(); });
+    if (result_.diagnostics.empty() && typed) KeepTypes(result_, types_, symbols_);
+    return std::move(result_);
+  }
 
   std::string TooLarge() const {
     return "larger than the " + std::to_string(options_.max_bytes) + " bytes that may be read";
@@ -52,7 +60,7 @@ class Reader {
   void Parse(std::string_view text, std::string_view name, const fs::path& folder) {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-    TptpParser(text, name, symbols_, options_, result_, [&](const TptpInclude& include) {
+    TptpParser(text, name, symbols_, options_, result_, types_, [&](const TptpInclude& include) {
       return HandleInclude(include, folder);
     }).Read();
   }
@@ -125,9 +133,11 @@ class Reader {
       seen.insert(result_.formulas[i].name);
       if (options_.keep_sources) std::swap(result_.sources[kept], result_.sources[i]);
       if (options_.keep_texts) std::swap(result_.texts[kept], result_.texts[i]);
+      std::swap(types_.variables[kept], types_.variables[i]);
       std::swap(result_.formulas[kept++], result_.formulas[i]);
     }
     result_.formulas.resize(kept);
+    types_.variables.resize(kept);
     if (options_.keep_sources) result_.sources.resize(kept);
     if (options_.keep_texts) result_.texts.resize(kept);
     for (const std::string& name : names) {
@@ -145,6 +155,7 @@ class Reader {
   SymbolTable& symbols_;
   const TptpOptions& options_;
   TptpFile result_;
+  TptpTypes types_;
   std::vector<fs::path> open_;
   std::size_t included_ = 0;
   std::size_t bytes_read_ = 0;

@@ -81,6 +81,24 @@ TEST_F(ProveTest, RealsThatAreExact_AreComputed) {
   }
 }
 
+/// What holds of all individuals, or all integers, holds of no other numbers.
+TEST_F(ProveTest, TypesOfTff_AreKeptApart) {
+  const std::string one = "tff(a, axiom, ![X: $i]: X = c). tff(b, axiom, p(1) & ~ p(2)).";
+  EXPECT_THAT(Prove(one + "tff(d, conjecture, $false).").out, Not(HasSubstr("Theorem")));
+  EXPECT_THAT(Prove(one + "tff(d, conjecture, f(c, 1) = f(f(c, 2), 2)).").out,
+              StartsWith("% SZS status Theorem"));
+  const std::string whole =
+      "tff(a, axiom, ![X: $int]: ~ ($less(0, X) & $less(X, 1))). tff(b, axiom, q(0.5) & r(7)).";
+  EXPECT_THAT(Prove(whole + "tff(d, conjecture, $false).").out, Not(HasSubstr("Theorem")));
+  EXPECT_THAT(Prove(whole + "tff(d, axiom, ![X: $int]: (($less(3, X) & r(X)) => s(X)))."
+                            "tff(e, conjecture, ?[X: $int]: s(X)).")
+                  .out,
+              StartsWith("% SZS status Theorem"));
+  const CommandResult wrong = Prove("tff(a, axiom, p(1)). tff(b, axiom, p(2.5)).");
+  EXPECT_EQ(wrong.exit_code, 3);
+  EXPECT_THAT(wrong.err, HasSubstr("argument 1 of 'p' is $int, but '2.5' is $real"));
+}
+
 /// Only the facts of arithmetic themselves are left for others to check.
 TEST_F(ProveTest, ProofsThatCompute_SayWhatWasComputed) {
   const std::string conjecture =

@@ -40,10 +40,10 @@ struct TptpOptions {
   bool keep_texts = false;
 };
 
-/// Reads CNF and FOF of TPTP (and untyped TFF formulas: `tff(n, axiom, ...)` without type
-/// declarations other than ignored `type` roles), with `include`. Recovers at the end of each
-/// annotated formula, so all errors of a file are reported at once. Recursive inclusion is refused.
-/// Source: TPTP SyntaxBNF 9.
+/// Reads CNF, FOF and TFF of TPTP, with `include`. Types of TFF ($i, $int, $real) are checked,
+/// those not declared inferred; conditions then keep apart what only types keep apart. Recovers at
+/// the end of each annotated formula, so all errors of a file are reported at once. Recursive
+/// inclusion is refused. Source: TPTP SyntaxBNF 9.
 TptpFile ReadTptpFile(const std::filesystem::path& file, SymbolTable& symbols,
                       const TptpOptions& options = {});
 /// The same for a text in memory; `name` is used in diagnostics, relative includes start at the
