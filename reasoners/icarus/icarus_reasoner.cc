@@ -224,7 +224,7 @@ std::size_t IcarusReasoner::GoalOf(const ActCall& call) const {
 
 void IcarusReasoner::ConcludeCall(const ActCall& call, Origin origin, sdk::Decision& decision) {
   const std::size_t goal = GoalOf(call);
-  if (goal == kNoGoal) return ChangeMemory(call);
+  if (goal == kNoGoal) return;  // It changed memory.
   terms_.resize(call.arguments.size());
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     if (bridge_->Export(call.arguments[i], terms_[i])) continue;
@@ -263,25 +263,6 @@ void IcarusReasoner::AddConclusion(std::size_t goal, Origin origin, sdk::Decisio
   facts_.resize(conclusions_ + 1);
   for (std::size_t i = at; i <= conclusions_; ++i) facts_[i] = decision.conclusions[i].fact;
   ++conclusions_;
-}
-
-/// What acts do to memory is done when they are issued.
-void IcarusReasoner::ChangeMemory(const ActCall& call) {
-  FactStore& memory = loaded_.interpreter->memory();
-  const std::string_view function = names_.Name(call.function);
-  const bool lists = std::all_of(call.arguments.begin(), call.arguments.end(),
-                                 [](const Value& v) { return v.kind == ValueKind::kList; });
-  if (!lists) {
-    if (problem_.empty()) problem_ = "{" + std::string(function) + "} is given no list";
-    return;
-  }
-  if (function == "store") {
-    memory.Store(call.arguments[0]);
-  } else if (const FactStore::Fact* const fact = memory.Find(call.arguments[0])) {
-    function == "forget" ? memory.Remove(fact) : memory.Replace(fact, call.arguments[1]);
-  } else if (function == "update") {
-    memory.Store(call.arguments[1]);
-  }
 }
 
 void IcarusReasoner::Judge(const CycleResult& result, sdk::Decision& decision) {

@@ -74,7 +74,6 @@ class IcarusReasoner final : public sdk::Reasoner {
   std::size_t GoalOf(const ActCall& call) const;
   void AddConclusion(std::size_t goal, Origin origin, sdk::Decision& decision);
   void Judge(const CycleResult& result, sdk::Decision& decision);
-  void ChangeMemory(const ActCall& call);
   std::string Text(const Fault& fault) const;
 
   sdk::Body body_;

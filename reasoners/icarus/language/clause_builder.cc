@@ -165,6 +165,11 @@ bool ClauseBuilder::IsAllowed(FormId form, Slot slot) {
 
 std::optional<Clause> ClauseBuilder::MakeClause(FormId form, Slot slot) {
   const FormKind kind = tree_.kind(form);
+  if (kind == FormKind::kKeyword) {
+    reporter_.Add(Code::kClause, form, "a slot stands within the list of another",
+                  "close that list with a ')' before " + std::string(tree_.Text(form)));
+    return std::nullopt;
+  }
   if (kind != FormKind::kList && kind != FormKind::kCall) {
     reporter_.Add(Code::kClause, form, "a clause stands in ( ) or { }",
                   "write (" + std::string(tree_.Text(form)) + ")");

@@ -81,6 +81,19 @@ void Reporter::Note(FormId form, std::string message) {
   findings_.back().note = std::move(note);
 }
 
+void MoveTo(const logic::SourcePlace& place, Findings& findings) {
+  const auto move = [&](logic::Diagnostic& diagnostic) {
+    logic::SourcePlace& at = diagnostic.place;
+    if (at.line == 1) {
+      at.column += place.column - 1;
+      diagnostic.excerpt.insert(0, place.column - 1, ' ');
+    }
+    at.file = place.file;
+    at.line += place.line - 1;
+  };
+  for (Finding& finding : findings) move(finding.diagnostic);
+}
+
 void Settle(const SourceTree& tree, Findings& findings) {
   std::erase_if(findings, [&](const Finding& finding) { return IsWaived(tree, finding); });
   std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {

@@ -103,6 +103,10 @@ class Reporter {
   bool dropped_ = false;
 };
 
+/// Moves findings about a text that stands within a file, from its first line and column, to where
+/// they are in the file.
+void MoveTo(const logic::SourcePlace& place, Findings& findings);
+
 /// Takes out the warnings that a comment `; allow I023 …` on their line or the line before waives,
 /// and puts the rest in the order of their places.
 void Settle(const SourceTree& tree, Findings& findings);

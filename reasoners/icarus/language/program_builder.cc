@@ -74,9 +74,17 @@ class Builder {
       AddTop(root, children[1]);
     } else if (tree_.IsNever(root)) {
       program_.nevers.push_back(Nameless(root, children[0]));
+    } else if ((head == "top" || head == "never") && !HasParameters(children)) {
+      reporter_.Add(
+          head == "top" ? Code::kTop : Code::kTopLevel, root, "this is no (" + head + " ...)",
+          head == "top" ? "write (top (Skill argument ...))" : "write (never clause ...)");
     } else {
       AddSkill(root, children);
     }
+  }
+
+  bool HasParameters(const std::vector<FormId>& children) const {
+    return children.size() > 1 && tree_.kind(children[1]) == FormKind::kList;
   }
 
   void AddConstant(FormId root, const std::vector<FormId>& children) {
@@ -147,12 +155,7 @@ class Builder {
     clauses_.Begin(&top, Code::kTop);
     std::optional<Clause> call = clauses_.MakeClause(top.name_form, Slot::kRequires);
     if (!call) return;
-    if (call->kind == ClauseKind::kMatch) {
-      ReportNoSuchTop(program_, tree_, call->terms.front(), reporter_);
-    } else if (call->kind != ClauseKind::kSkill) {
-      reporter_.Add(Code::kTop, call->form, "the top of a program is one call of a skill",
-                    "make a skill of it and write (top (Skill argument ...))");
-    } else {
+    if (CheckTopCall(program_, tree_, *call, reporter_)) {
       top.slots.at(static_cast<std::size_t>(Slot::kRequires)).emplace().push_back(*std::move(call));
     }
   }
@@ -209,7 +212,7 @@ class Builder {
     while (at < children.size()) {
       if (tree_.kind(children[at]) != FormKind::kKeyword) {
         reporter_.Add(Code::kSlot, children[at], "a slot begins with its name",
-                      "write :objective, :requires, :means, ... before it");
+                      SlotHint(skill, children[at]));
         well_formed = false;
         ++at;
         continue;
@@ -220,6 +223,13 @@ class Builder {
       at += has_value ? 2 : 1;
     }
     CheckType(skill, well_formed);
+  }
+
+  /// What begins a line is meant to be a skill of its own.
+  std::string SlotHint(const Skill& skill, FormId form) const {
+    if (tree_.at(form).column > 1) return "write :objective, :requires, :means, ... before it";
+    return "the '(' of " + skill.spelling + " in line " +
+           std::to_string(tree_.at(skill.form).line) + " is not closed before it";
   }
 
   bool AddSlot(Skill& skill, FormId keyword, FormId value) {
@@ -266,7 +276,7 @@ class Builder {
     }
     if (kind != FormKind::kInteger && kind != FormKind::kReal && kind != FormKind::kCall &&
         kind != FormKind::kConstant && kind != FormKind::kVariable) {
-      reporter_.Add(Code::kSlot, value, ":value is a number or a call",
+      reporter_.Add(Code::kSlot, value, ":value is a number, a variable or a call",
                     "write :value 2.5 or :value {function argument ...}");
       return false;
     }

@@ -8,9 +8,12 @@
 
 namespace latchwork::icarus {
 
-/// Says that a top call, which `source` has, names no skill of the program.
-void ReportNoSuchTop(const Program& program, const SourceTree& source, const Term& head,
-                     Reporter& reporter);
+/// Whether this clause, which `source` has, may be a top: a call of a skill of the program. What
+/// else it is, is reported.
+bool CheckTopCall(const Program& program, const SourceTree& source, const Clause& clause,
+                  Reporter& reporter);
+/// Whether the skill has as many parameters as the call has arguments; else reports that.
+bool CheckParameters(const Program& program, const Clause& call, Reporter& reporter);
 
 }  // namespace latchwork::icarus
 

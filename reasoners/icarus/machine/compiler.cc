@@ -283,6 +283,8 @@ class Compiler {
     made.first = AddTerms(term.items);
     AddSlots(made);
     if (act) {
+      const Signature* const builtin = FindBuiltin(term.text);
+      if (builtin != nullptr && builtin->changes_memory) Resolve(term, made);
       CheckAct(term);
     } else {
       Resolve(term, made);
@@ -390,8 +392,9 @@ class Compiler {
     for (const Signature& s : functions) known.emplace_back(s.name);
     for (const Signature& s : BuiltinSignatures()) known.emplace_back(s.name);
     const std::string_view nearest = logic::NearestName(term.text, known);
-    Report(Code::kUnknownFunction, term, "the host offers no function {" + term.text + "}",
-           nearest.empty() ? "" : "did you mean {" + std::string(nearest) + "}?");
+    Report(
+        Code::kUnknownFunction, term, "the host offers no function {" + term.text + "}",
+        nearest.empty() ? host_.Remedy(term.text) : "did you mean {" + std::string(nearest) + "}?");
   }
 
   const SourceTree& Source() const { return source_ == nullptr ? program_.source : *source_; }
@@ -443,10 +446,9 @@ TopCall ReadTop(const Program& program, std::string text, Findings& findings) {
     ClauseBuilder builder(top.source, names, reporter);
     builder.Begin(&top.query, Code::kClause);
     std::optional<Clause> clause = builder.MakeClause(top.source.roots[0], Slot::kRequires);
-    if (clause && clause->kind == ClauseKind::kMatch) {
-      ReportNoSuchTop(program, top.source, clause->terms.front(), reporter);
-    }
-    if (clause) clauses.push_back(*std::move(clause));
+    const bool good = clause && CheckTopCall(program, top.source, *clause, reporter) &&
+                      CheckParameters(program, *clause, reporter);
+    if (good) clauses.push_back(*std::move(clause));
   } else if (findings.empty()) {
     reporter.AddAt(Code::kTopLevel, 0, 1, 1, "the top of a program is one call",
                    "write (Name argument ...)");

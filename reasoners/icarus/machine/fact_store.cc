@@ -239,6 +239,36 @@ std::uint64_t FactStore::OpenPlace() {
   return place;
 }
 
+void FactStore::Forget(const Value& pattern) {
+  if (IsGround(pattern)) {
+    if (const Fact* const fact = Find(pattern)) Remove(fact);
+    return;
+  }
+  for (const Fact* fact = first_; fact != nullptr; fact = fact->next) {
+    if (fact->died == 0 && Fits(pattern, fact->value)) Remove(fact);
+  }
+}
+
+bool FactStore::Update(const Value& pattern, const Value& list) {
+  if (IsGround(pattern)) {
+    const Fact* const fact = Find(pattern);
+    if (fact == nullptr) return Store(list);
+    Replace(fact, list);
+    return true;
+  }
+  bool placed = false;
+  for (const Fact* fact = first_; fact != nullptr; fact = fact->next) {
+    if (fact->died != 0 || !Fits(pattern, fact->value)) continue;
+    if (!placed) {
+      Replace(fact, list);
+    } else if (!Equal(fact->value, list)) {
+      Remove(fact);
+    }
+    placed = true;
+  }
+  return placed || Store(list);
+}
+
 FactStore::Fact* FactStore::LastBefore(std::uint64_t order) const {
   Fact* last = nullptr;
   for (Fact* fact = first_; fact != nullptr && fact->order < order; fact = fact->next) last = fact;

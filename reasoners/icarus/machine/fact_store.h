@@ -67,6 +67,11 @@ class FactStore {
   void Remove(const Fact* fact);
   /// Puts the list where `fact` was; nothing when it is there elsewhere already.
   void Replace(const Fact* fact, const Value& list);
+  /// Takes out all facts that fit the pattern.
+  void Forget(const Value& pattern);
+  /// Puts the list where the first fact that fits the pattern stands, and takes out the others that
+  /// do; appends it when none does. False: memory is full.
+  bool Update(const Value& pattern, const Value& list);
   /// The fact that is this list; null when it is not in memory.
   Fact* Find(const Value& list) const;
   bool Holds(const Value& list) const { return Find(list) != nullptr; }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "reasoners/icarus/language/signature.h"
@@ -25,6 +26,8 @@ class Host {
   /// The facts that the host writes into memory: names with their arguments. Others are not
   /// checked.
   virtual std::span<const Signature> facts() const { return {}; }
+  /// What a person may do when a program calls a function that is none of them; may be empty.
+  virtual std::string Remedy(std::string_view /*function*/) const { return {}; }
   /// The answer of `functions()[function]` for these ground arguments: none is False. Lists of the
   /// answer may be made in `arena`, names in `names`. Asked once per cycle for the same arguments,
   /// unless the function is declared to change memory. An exception is contained as a fault.

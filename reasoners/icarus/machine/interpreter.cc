@@ -100,12 +100,29 @@ struct Interpreter::Implementation {
       act.path = nullptr;
       if (!Holds(fresh.acts, act)) stopped.push_back(act);
     }
+    for (const Act& act : fresh.acts) {
+      for (const ActCall& call : act.calls) ChangeMemory(call);
+    }
+  }
+
+  /// What acts do to memory is done when they are issued.
+  void ChangeMemory(const ActCall& call) {
+    if (call.function == store) {
+      memory.Store(call.arguments[0]);
+    } else if (call.function == forget) {
+      memory.Forget(call.arguments[0]);
+    } else if (call.function == update) {
+      memory.Update(call.arguments[0], call.arguments[1]);
+    }
   }
 
   const Program& program;
   Host& host;
   NamePool& names;
   const RunOptions options;
+  const NameId store = names.Intern("store");
+  const NameId forget = names.Intern("forget");
+  const NameId update = names.Intern("update");
   Arena constants;
   Findings findings;
   CompiledProgram code;
@@ -130,8 +147,10 @@ const Findings& Interpreter::findings() const { return implementation_->findings
 
 std::size_t Interpreter::AddTop(std::string text, Findings& findings) {
   Implementation& own = *implementation_;
-  TopCall top = ReadTop(own.program, std::move(text), findings);
-  if (HasErrors(findings)) return kNoTop;
+  Findings found;
+  TopCall top = ReadTop(own.program, std::move(text), found);
+  findings.insert(findings.end(), found.begin(), found.end());
+  if (HasErrors(found)) return kNoTop;
   const std::size_t added = own.AddTop(top.query, top.source, findings);
   own.tops.back().source = std::make_unique<const SourceTree>(std::move(top.source));
   return added;

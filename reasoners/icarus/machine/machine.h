@@ -170,7 +170,8 @@ class Machine {
     return EvaluateOther(term, base);
   }
   Value EvaluateOther(const TermCode& term, Index base);
-  Value EvaluateList(const TermCode& term, Index base);
+  Value EvaluateList(const TermCode& term, Index base, bool pattern = false);
+  Value EvaluatePattern(const TermCode& term, Index base);
   bool Unify(const TermCode& term, const Value& value, Index base);
   bool Bind(const Instruction& instruction);
   bool TakeApart(const Instruction& instruction);
@@ -189,6 +190,7 @@ class Machine {
   }
   Value CallOther(const CallCode& call, Index base);
   bool PushArguments(const CallCode& call, Index base);
+  bool PushChange(const CallCode& call);
   std::span<const Value> Arguments(std::size_t mark) const {
     return {scratch_.data() + mark, scratch_.size() - mark};
   }

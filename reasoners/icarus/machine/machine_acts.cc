@@ -19,7 +19,8 @@ bool Machine::MakeAct(const Instruction& instruction) {
   for (std::uint32_t i = 0; i < instruction.b; ++i) {
     const CallCode& call = code_.calls[instruction.a + i];
     const std::size_t mark = scratch_.size();
-    if (!PushArguments(call, base_)) return false;
+    const bool changes = call.kind != CallCode::Kind::kHost;
+    if (!(changes ? PushChange(call) : PushArguments(call, base_))) return false;
     const std::span<const Value> arguments = arena_.CopyValues(Arguments(mark));
     scratch_.Shrink(mark);
     ::new (calls + i) ActCall{call.name, arguments};
@@ -32,6 +33,25 @@ bool Machine::MakeAct(const Instruction& instruction) {
   if (traced()) TraceAct(EventKind::kAct, scope_, *found);
   Emit(scope_, found);
   return false;
+}
+
+/// The arguments of {store}, {forget} or {update} in an act: lists, of which a pattern may leave
+/// items open. False, and nothing pushed, where they are none.
+bool Machine::PushChange(const CallCode& call) {
+  const std::size_t mark = scratch_.size();
+  const bool pattern = call.kind == CallCode::Kind::kChange;
+  for (std::uint32_t i = 0; i < call.count; ++i) {
+    const TermCode& term = code_.terms[call.first + i];
+    const Value value = i == 0 && pattern ? EvaluatePattern(term, base_) : Evaluate(term, base_);
+    if (value.kind != ValueKind::kList) {
+      Fail(call.form, value.is_none() ? "an argument of the call has an unbound variable"
+                                      : "memory holds lists only");
+      scratch_.Shrink(mark);
+      return false;
+    }
+    scratch_.Push(value);
+  }
+  return true;
 }
 
 /// The skill of this scope, whose variables are at `base`.

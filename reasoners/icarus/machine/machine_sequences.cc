@@ -22,11 +22,7 @@ bool Machine::StartStep() {
   SequenceStates::State& state = sequences_.at(scopes_[scope_].state);
   if (traced()) TraceSequence(state.step);
   if (state.step >= steps.b) {
-    if (options_.restart) {
-      state.step = 0;
-      state.environment.clear();
-      state.changed = true;
-    }
+    state.ended = options_.restart;
     pc_ = skill.entry + 1;
     return true;
   }

@@ -62,12 +62,19 @@ Value Machine::EvaluateOther(const TermCode& term, Index base) {
   }
 }
 
-Value Machine::EvaluateList(const TermCode& term, Index base) {
+/// With every `?` as none.
+Value Machine::EvaluatePattern(const TermCode& term, Index base) {
+  const bool list = term.kind == TermCode::Kind::kList;
+  return list ? EvaluateList(term, base, true) : Evaluate(term, base);
+}
+
+Value Machine::EvaluateList(const TermCode& term, Index base, bool pattern) {
   const std::size_t mark = scratch_.size();
   bool ground = true;
   for (std::uint32_t i = 0; ground && i < term.b; ++i) {
-    const Value item = Evaluate(code_.terms[term.a + i], base);
-    ground = !item.is_none();
+    const TermCode& part = code_.terms[term.a + i];
+    const Value item = pattern ? EvaluatePattern(part, base) : Evaluate(part, base);
+    ground = !item.is_none() || (pattern && part.kind == TermCode::Kind::kAnything);
     scratch_.Push(item);
   }
   Value list;

@@ -20,11 +20,19 @@ std::size_t SequenceStates::Find(std::uint32_t skill, std::span<const Value> par
     State& state = *states_.back();
     state.skill = skill;
     state.step = 0;
+    state.ended = false;
     state.changed = true;
     state.key.assign(parameters.begin(), parameters.end());
     state.environment.clear();
   }
-  states_[index]->touched = cycle;
+  State& state = *states_[index];
+  if (state.ended && state.touched != cycle) {
+    state.step = 0;
+    state.environment.clear();
+    state.changed = true;
+    state.ended = false;
+  }
+  state.touched = cycle;
   return index;
 }
 
@@ -39,6 +47,7 @@ SequenceStates SequenceStates::Copy() const {
     auto& made = *copy.states_.emplace_back(std::make_unique<State>());
     made.skill = state->skill;
     made.step = state->step;
+    made.ended = state->ended;
     made.touched = state->touched;
     made.key = state->key;
     made.environment = state->environment;

@@ -21,6 +21,7 @@ class SequenceStates {
     std::uint32_t step = 0;
     std::uint64_t touched = 0;  ///< Cycle in which it was last presented.
     bool changed = false;
+    bool ended = false;              ///< It begins again in the next cycle that presents it.
     std::vector<Value> key;          ///< The parameters.
     std::vector<Value> environment;  ///< All variables; empty: as at the call.
     Arena arena{256};

@@ -104,6 +104,22 @@ bool EqualLists(const ListValue& a, const ListValue& b) {
   return std::equal(left.begin(), left.end(), right.begin(), Equal);
 }
 
+bool IsGround(const Value& value) {
+  if (value.kind != ValueKind::kList) return !value.is_none();
+  const auto items = value.list->items();
+  return std::all_of(items.begin(), items.end(), IsGround);
+}
+
+bool Fits(const Value& pattern, const Value& value) {
+  if (pattern.is_none()) return true;
+  if (pattern.kind != ValueKind::kList || value.kind != ValueKind::kList) {
+    return Equal(pattern, value);
+  }
+  const auto left = pattern.list->items();
+  const auto right = value.list->items();
+  return std::equal(left.begin(), left.end(), right.begin(), right.end(), Fits);
+}
+
 std::string ToString(const Value& value, const NamePool& names) {
   std::string text;
   Append(text, value, names);

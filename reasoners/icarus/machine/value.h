@@ -87,6 +87,11 @@ inline bool Equal(const Value& a, const Value& b) {
   return a.bits() == b.bits() || (a.kind == ValueKind::kList && EqualLists(*a.list, *b.list));
 }
 
+/// Whether nothing in it is none.
+bool IsGround(const Value& value);
+/// Whether a value is what a pattern says: none, also within lists, stands for anything.
+bool Fits(const Value& pattern, const Value& value);
+
 inline std::uint64_t MixHash(std::uint64_t hash, std::uint64_t word) {
   hash = (hash ^ word) * 0x9e3779b97f4a7c15ULL;
   return hash ^ (hash >> 29U);

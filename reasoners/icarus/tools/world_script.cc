@@ -22,9 +22,13 @@ class ScriptReader {
       const std::vector<FormId> parts = Parts(root);
       const std::string head = Head(root, parts);
       if (head == "top" && parts.size() == 2) {
+        if (!script_.top.empty()) Complain(root, "the script has a top already");
         script_.top = tree_.Text(parts[1]);
+        script_.top_place = tree_.Place(parts[1]);
       } else if (head == "functions") {
-        for (std::size_t i = 1; i < parts.size(); ++i) Function(tree_.Folded(parts[i]), kAnyNumber);
+        for (std::size_t i = 1; i < parts.size(); ++i) {
+          if (IsName(parts[i])) Function(tree_.Folded(parts[i]), kAnyNumber);
+        }
       } else if (head == "cycle") {
         AddCycle(root, parts);
       } else {
@@ -47,6 +51,17 @@ class ScriptReader {
   void Complain(FormId form, std::string message) {
     reporter_.Add(Code::kScript, form, std::move(message),
                   std::string(Info(Code::kScript).explanation));
+  }
+
+  /// Of a function of the world; what else it is, is reported.
+  bool IsName(FormId form) {
+    if (tree_.kind(form) != FormKind::kSymbol) {
+      Complain(form, "this is no name of a function");
+      return false;
+    }
+    if (FindBuiltin(tree_.Folded(form)) == nullptr) return true;
+    Complain(form, "{" + tree_.Folded(form) + "} is part of the language: no world answers it");
+    return false;
   }
 
   /// `count` arguments were seen, or any number may be.
@@ -83,9 +98,10 @@ class ScriptReader {
     const FormKind kind = tree_.kind(parts[1]);
     if (head == "top") {
       cycle.top = std::string(tree_.Text(parts[1]));
+      cycle.top_place = tree_.Place(parts[1]);
       return kind == FormKind::kList;
     }
-    if (head == "repeat" && kind == FormKind::kInteger) {
+    if (head == "repeat" && kind == FormKind::kInteger && cycle.repeat == 1) {
       cycle.repeat = tree_.at(parts[1]).integer;
       return cycle.repeat >= 1 && cycle.repeat <= kMostRepeats;
     }
@@ -103,8 +119,13 @@ class ScriptReader {
       return false;
     }
     const std::vector<FormId> words = tree_.Children(call);
+    if (!IsName(words[0])) return true;
     ScriptAnswer answer;
     answer.function = Function(tree_.Folded(words[0]), words.size() - 1);
+    const Signature& known = script_.functions[answer.function];
+    if (words.size() - 1 < known.least || words.size() - 1 > known.most) {
+      Complain(call, "other answers of the script take another number of arguments");
+    }
     for (std::size_t i = 1; i < words.size(); ++i) answer.arguments.push_back(MakeValue(words[i]));
     if (tree_.Folded(parts[2]) != "nil") answer.answer = MakeValue(parts[2]);
     cycle.answers.push_back(std::move(answer));
@@ -179,31 +200,7 @@ class ScriptReader {
   WorldScript& script_;
 };
 
-void Update(const Value& pattern, const Value& fact, FactStore& memory) {
-  bool placed = false;
-  for (const FactStore::Fact* at = memory.First(); at != nullptr; at = at->next) {
-    if (at->died != 0 || !Fits(pattern, at->value)) continue;
-    if (!placed) {
-      memory.Replace(at, fact);
-    } else if (!Equal(at->value, fact)) {
-      memory.Remove(at);
-    }
-    placed = true;
-  }
-  if (!placed) memory.Store(fact);
-}
-
 }  // namespace
-
-bool Fits(const Value& pattern, const Value& value) {
-  if (pattern.is_none()) return true;
-  if (pattern.kind != ValueKind::kList || value.kind != ValueKind::kList) {
-    return Equal(pattern, value);
-  }
-  const auto left = pattern.list->items();
-  const auto right = value.list->items();
-  return std::equal(left.begin(), left.end(), right.begin(), right.end(), Fits);
-}
 
 WorldScript ReadScript(std::string text, std::string file, NamePool& names, Findings& findings) {
   WorldScript script;
@@ -215,6 +212,12 @@ void ExtendScript(std::string text, std::string file, NamePool& names, WorldScri
                   Findings& findings) {
   const SourceTree tree = ReadForms(std::move(text), std::move(file), findings);
   ScriptReader(tree, names, findings, script).Read();
+}
+
+std::string ScriptedWorld::Remedy(std::string_view function) const {
+  const std::string name(function);
+  return "let the script answer it, (answer {" + name + " ...} value), or declare it, (functions " +
+         name + "): then it is False";
 }
 
 Value ScriptedWorld::Call(std::size_t function, std::span<const Value> arguments, Arena& /*arena*/,
@@ -237,12 +240,8 @@ void ScriptedWorld::Begin(const ScriptCycle& cycle, FactStore& memory) {
     });
     answers_.push_back(&answer);
   }
-  for (const Value& pattern : cycle.forgotten) {
-    for (const FactStore::Fact* fact = memory.First(); fact != nullptr; fact = fact->next) {
-      if (fact->died == 0 && Fits(pattern, fact->value)) memory.Remove(fact);
-    }
-  }
-  for (const auto& [pattern, fact] : cycle.updated) Update(pattern, fact, memory);
+  for (const Value& pattern : cycle.forgotten) memory.Forget(pattern);
+  for (const auto& [pattern, fact] : cycle.updated) memory.Update(pattern, fact);
   for (const Value& fact : cycle.stored) memory.Store(fact);
 }
 
@@ -274,10 +273,12 @@ std::string CallsOf(const std::vector<std::string>& words) {
 }
 
 bool Meets(const std::vector<std::string>& outcome, const std::vector<std::string>& expected) {
-  return CallsOf(outcome) == CallsOf(expected) &&
-         std::all_of(expected.begin(), expected.end(), [&](const auto& word) {
-           return IsAct(word) || std::find(outcome.begin(), outcome.end(), word) != outcome.end();
-         });
+  const auto has = [](const std::vector<std::string>& words, std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  const bool same_truth = expected.empty() || has(outcome, "true") == has(expected, "true");
+  return CallsOf(outcome) == CallsOf(expected) && same_truth &&
+         (has(outcome, "fault") || !has(expected, "fault"));
 }
 
 }  // namespace latchwork::icarus

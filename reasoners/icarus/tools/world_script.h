@@ -35,7 +35,8 @@ struct ScriptCycle {
   std::vector<std::pair<Value, Value>> updated;
   std::vector<Value> forgotten;    ///< None, also within lists, stands for anything.
   std::optional<std::string> top;  ///< From this cycle on.
-  bool idle = false;               ///< The program is not called.
+  logic::SourcePlace top_place;
+  bool idle = false;  ///< The program is not called.
   std::int64_t repeat = 1;
   std::optional<std::vector<std::string>> expected;  ///< Acts, "true", "false", "fault".
 };
@@ -47,6 +48,7 @@ struct ScriptCycle {
 ///     (cycle (answer {range-to car1} 0.5) (expect true))
 struct WorldScript {
   std::string top;
+  logic::SourcePlace top_place;
   std::deque<std::string> names;
   std::vector<Signature> functions;
   std::vector<ScriptCycle> cycles;
@@ -58,9 +60,6 @@ WorldScript ReadScript(std::string text, std::string file, NamePool& names, Find
 void ExtendScript(std::string text, std::string file, NamePool& names, WorldScript& script,
                   Findings& findings);
 
-/// Whether a value is what a pattern says: none, also within lists, stands for anything.
-bool Fits(const Value& pattern, const Value& value);
-
 /// The host that a script describes. Answers stay until another for the same call replaces them;
 /// what is not answered is False.
 class ScriptedWorld : public Host {
@@ -68,6 +67,7 @@ class ScriptedWorld : public Host {
   explicit ScriptedWorld(const WorldScript& script) : script_(script) {}
 
   std::span<const Signature> functions() const override { return script_.functions; }
+  std::string Remedy(std::string_view function) const override;
   Value Call(std::size_t function, std::span<const Value> arguments, Arena& arena,
              NamePool& names) override;
 
@@ -88,8 +88,7 @@ inline bool IsAct(const std::string& word) { return word.starts_with('{'); }
 /// All calls of its acts, one after the other.
 std::string CallsOf(const std::vector<std::string>& words);
 /// Whether it came to what was expected: the same calls (a script does not say which of them are
-/// one act), and whatever of "true", "false" and "fault"
-/// was named.
+/// one act), True or not, unless nothing was named, and a fault where one was.
 bool Meets(const std::vector<std::string>& outcome, const std::vector<std::string>& expected);
 
 }  // namespace latchwork::icarus

@@ -47,6 +47,57 @@ struct Odd {
   std::size_t top = 0;
 };
 
+TEST(IcarusInterpreterTest, Tops_AreCallsThatFitTheirSkill) {
+  Odd odd("(Top (?x) :means ((Go ?x)))\n(Go (?x) :action ({go ?x}))", "(Top 1)");
+  EXPECT_TRUE(odd.findings.empty());
+  for (const char* const top : {"(Top 1 2)", "(*not* (Top 1))", "(bind ?x 3)", "(Stop)", "{go}"}) {
+    Findings findings;
+    EXPECT_EQ(odd.interpreter.AddTop(top, findings), Interpreter::kNoTop) << top;
+    EXPECT_EQ(findings.size(), 1U) << top;
+  }
+  EXPECT_EQ(odd.interpreter.Cycle(odd.top).acts.size(), 1U);
+}
+
+/// What acts do to memory is done at the end of the cycle, in every tool.
+TEST(IcarusInterpreterTest, ActsThatChangeMemory_DoSoWhenTheyAreIssued) {
+  ScriptRun run(
+      "(facts (old 1) (old (2 3)) (kept 1))\n(Top () :requires ((*not* (noted x))) :means ((N) "
+      "(M)))\n"
+      "(N () :requires ((old ?)) :means ((Note)))\n"
+      "(Note () :action ({do x} {store (noted x)} {forget (old ?)} {update (kept ?) (kept 2)}))\n"
+      "(M () :action ({m}))",
+      "(top (Top)) (cycle (expect {do x} {store (noted x)} {forget (old ?)} {update (kept ?) (kept "
+      "2)}))"
+      "(cycle (repeat 2) (expect false))");
+  EXPECT_EQ(run.Memory(), "(kept 2)(noted x)");
+  EXPECT_TRUE(run.faults().empty());
+}
+
+TEST(IcarusInterpreterTest, ActsThatWouldStoreNoList_AreNotOffered) {
+  ScriptRun run(
+      "(Top () :means ((A 1) (B ?x)))\n(A (?x) :action ({store ?x}))\n"
+      "(B (?x) :action ({forget (p ?x)}))",
+      "(top (Top)) (cycle (expect false fault))");
+  EXPECT_EQ(run.faults(),
+            (std::vector<std::string>{"memory holds lists only",
+                                      "an argument of the call has an unbound variable"}));
+}
+
+/// Asked twice in a cycle, a sequence that has ended begins again in the next.
+TEST(IcarusInterpreterTest, Restart_IsInTheNextCycle) {
+  RunOptions options;
+  options.restart = true;
+  options.acts = ActMode::kAll;
+  ScriptRun run(
+      "(facts (p 1) (p 2))\n(Top () :requires ((p ?)) :means ((Both)))\n"
+      "(Both () :sequence ((First) (Second)))\n"
+      "(First () :objective ({one}) :means ((Do 1)))\n"
+      "(Second () :objective ({two}) :means ((Do 2)))\n(Do (?n) :action ({do ?n}))",
+      "(top (Top)) (cycle (expect {do 1})) (cycle (answer {one} t) (expect {do 2}))"
+      "(cycle (answer {two} t) (answer {one} nil) (expect true)) (cycle (expect {do 1}))",
+      options);
+}
+
 TEST(IcarusInterpreterTest, HostThatThrows_IsAFaultWithItsSkills) {
   Odd odd(
       "(Top () :objective ((Look)) :means ((Go)))\n(Look () :objective ({broken}))\n"

@@ -200,7 +200,21 @@ TEST(IcarusProgramTest, Top_IsACallOfASkill) {
   EXPECT_EQ(with("(top (A 1))(top (B))"), List({"3:12 I030"}));
   EXPECT_EQ(with("(top (C))"), List({"3:7 I030"}));
   EXPECT_EQ(with("(top (*not* (B)))"), List({"3:6 I030"}));
-  EXPECT_EQ(with("(top {f})"), List({"3:2 I005", "3:6 I007"}));
+  EXPECT_EQ(with("(top {f})"), List({"3:1 I030"}));
+  EXPECT_EQ(with("(top)"), List({"3:1 I030"}));
+  EXPECT_EQ(with("(never)"), List({"3:1 I004"}));
+}
+
+/// The slips that are made most: brackets.
+TEST(IcarusProgramTest, BracketsLeftOpen_AreGuessed) {
+  const auto hint = [](std::string_view text) {
+    const ProgramFile file = ReadProgram(std::string(text), "p.icarus");
+    return file.findings.empty() ? "" : file.findings.front().diagnostic.hint;
+  };
+  EXPECT_EQ(hint("(A () :objective ({f} :means ((B))))\n(B () :action ({b}))"),
+            "close that list with a ')' before :means");
+  EXPECT_EQ(hint("(A () :objective ({f})\n(B () :action ({b})))"),
+            "the '(' of A in line 1 is not closed before it");
 }
 
 TEST(IcarusProgramTest, Top_MayBeTheNameOfASkill) {

@@ -52,7 +52,7 @@ class HashedWorld : public Host {
 /// What the cycles of a program came to.
 struct Trace {
   std::vector<std::vector<std::string>> acts;
-  std::vector<std::size_t> environments;
+  std::vector<std::vector<std::string>> environments;
   std::vector<std::string> memory;
   friend bool operator==(const Trace&, const Trace&) = default;
 };
@@ -66,19 +66,35 @@ RunOptions Options(ActMode mode, bool lazy = false) {
   return options;
 }
 
+/// (s0 ?x ?y), with as many variables as it has parameters.
+std::string OpenTop(const Program& program) {
+  constexpr std::array<std::string_view, 3> kTops = {"(s0)", "(s0 ?x)", "(s0 ?x ?y)"};
+  return std::string(kTops.at(program.skills[0].parameters));
+}
+
+std::vector<std::string> Environments(const CycleResult& result, const NamePool& names) {
+  std::vector<std::string> environments(result.environments);
+  const std::size_t variables =
+      environments.empty() ? 0 : result.values.size() / environments.size();
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    environments[i / variables] += ToString(result.values[i], names) + ' ';
+  }
+  return environments;
+}
+
 Trace Interpret(const Program& program, const RunOptions& options, std::uint64_t seed) {
   Trace run;
   NamePool names;
   HashedWorld world;
   Interpreter interpreter(program, world, names, options);
   Findings findings;
-  const std::size_t top = interpreter.AddTop("(s0)", findings);
+  const std::size_t top = interpreter.AddTop(OpenTop(program), findings);
   for (std::size_t i = 0; i < kCycles; ++i) {
     world.world = seed + i / 2;
     const CycleResult& result = interpreter.Cycle(top);
     std::vector<std::string>& acts = run.acts.emplace_back();
     for (const Act& act : result.acts) acts.push_back(ToString(act, names));
-    run.environments.push_back(result.environments);
+    run.environments.push_back(Environments(result, names));
     std::string& memory = run.memory.emplace_back();
     for (const auto* fact = interpreter.memory().First(); fact != nullptr; fact = fact->next) {
       if (fact->died == 0) memory += ToString(fact->value, names);
@@ -133,9 +149,25 @@ TEST(IcarusPropertiesTest, Interpreter_AgreesWithTheReferenceInAllModes) {
       });
 }
 
+TEST(IcarusPropertiesTest, Interpreter_AgreesWithTheReferenceOnMeansAndRestarts) {
+  constexpr std::array<Expansion, 3> kExpansions = {Expansion::kAll, Expansion::kFirst,
+                                                    Expansion::kBest};
+  constexpr std::array<ActMode, 3> kModes = {ActMode::kAll, ActMode::kFirst, ActMode::kValue};
+  ForRandomPrograms(
+      3000, {}, [&](const std::string& text, const Program& program, std::uint64_t seed, Trace&) {
+        RunOptions options = Options(kModes.at(seed / 3 % 3));
+        options.expansion = kExpansions.at(seed % 3);
+        options.means = 1 + seed / 9 % 2;
+        options.restart = seed % 2 == 0;
+        Trace other;
+        if (!Refer(program, options, seed, other)) return;
+        ASSERT_EQ(Interpret(program, options, seed), other) << text;
+      });
+}
+
 TEST(IcarusPropertiesTest, First_IsTheHeadOfAllAndTruthIsTheSameInEveryMode) {
   ForRandomPrograms(
-      2000, {},
+      2000, {true, true, false},
       [](const std::string& text, const Program& program, std::uint64_t seed, Trace& all) {
         const Trace first = Interpret(program, Options(ActMode::kFirst), seed);
         for (std::size_t i = 0; i < kCycles; ++i) {

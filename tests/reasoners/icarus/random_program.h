@@ -14,6 +14,7 @@ namespace latchwork::icarus::testing {
 struct RandomProgramOptions {
   bool sequences = true;
   bool memory_changes = true;
+  bool acts_change_memory = true;
 };
 
 /// Programs of a few small skills that mostly call later ones, so that most of them end.
@@ -22,12 +23,11 @@ class RandomProgram {
   RandomProgram(std::uint64_t seed, RandomProgramOptions options)
       : state_(seed * 2 + 1), options_(options) {}
 
-  /// The first skill, `s0`, has no parameters.
+  /// The first skill, `s0`, has two parameters at most.
   std::string Text() {
     std::string text = "(facts (p a) (p b) (q a 1) (q b 2) (q c 2) (r (a 1) x) (r (b 2) y))\n";
     const std::size_t skills = 4 + Roll(5);
-    arity_.assign(1, 0);
-    for (std::size_t i = 1; i < skills; ++i) arity_.push_back(Roll(3));
+    for (std::size_t i = 0; i < skills; ++i) arity_.push_back(Roll(3));
     for (std::size_t i = 0; i < skills; ++i) text += SkillText(i);
     return text;
   }
@@ -46,7 +46,7 @@ class RandomProgram {
     const bool last = index + 2 >= arity_.size();
     const std::size_t kind = index == 0 ? 0 : Roll(last ? 5 : 7);
     if (kind == 1 || kind > 4 || (last && kind > 2)) {
-      text += ":action ({act" + std::to_string(index) + Arguments(index) + "})";
+      text += ":action ({act" + std::to_string(index) + Arguments(index) + "}" + Change() + ")";
     } else if (kind == 2) {
       text += ":sensor (" + SensorClause() + (Roll(2) == 0 ? " " + SensorClause() : "") + ")";
     } else if (kind == 3 && options_.sequences) {
@@ -56,6 +56,21 @@ class RandomProgram {
     }
     if (Roll(4) == 0) text += " :value " + std::to_string(Roll(9));
     return text + ")\n";
+  }
+
+  /// What an act may do to memory.
+  std::string Change() {
+    if (!options_.memory_changes || !options_.acts_change_memory) return "";
+    switch (Roll(9)) {
+      case 0:
+        return " {store (p " + Atom() + ")}";
+      case 1:
+        return " {forget (q ? " + Atom() + ")}";
+      case 2:
+        return " {update (r ? " + Bound() + ") (r (" + Atom() + " 1) y)}";
+      default:
+        return "";
+    }
   }
 
   std::string Arguments(std::size_t index) const {

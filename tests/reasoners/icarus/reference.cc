@@ -15,6 +15,32 @@ constexpr double kNoValue = -std::numeric_limits<double>::infinity();
 
 Datum Atom(std::string text) { return {std::move(text), {}, false}; }
 
+/// A call of the skill with a variable for each parameter.
+Clause OpenCall(const Program& program, std::uint32_t skill) {
+  Clause call;
+  call.kind = ClauseKind::kSkill;
+  call.skill = skill;
+  for (std::uint32_t i = 0; i < program.skills[skill].parameters; ++i) {
+    Term variable;
+    variable.kind = TermKind::kVariable;
+    variable.index = i;
+    call.terms.push_back(variable);
+  }
+  return call;
+}
+
+std::string Text(const std::vector<std::optional<Datum>>& environment) {
+  std::string text;
+  for (const auto& datum : environment) text += (datum ? datum->Text() : "?") + ' ';
+  return text;
+}
+
+bool Fits(const Datum& pattern, const Datum& datum) {
+  if (!pattern.is_list || !datum.is_list) return pattern.atom == "?" || pattern == datum;
+  return std::equal(pattern.items.begin(), pattern.items.end(), datum.items.begin(),
+                    datum.items.end(), Fits);
+}
+
 }  // namespace
 
 std::string Datum::Text() const {
@@ -38,23 +64,27 @@ std::string Reference::Memory() const {
 void Reference::Cycle(std::uint32_t top) {
   ++cycle_;
   acts.clear();
-  environments = 0;
+  environments.clear();
   clauses = 0;
   depth_ = 0;
   double best = kNoValue;
-  Clause call;
-  call.kind = ClauseKind::kSkill;
-  call.skill = top;
-  Ask(call, {}, [&](const Outcome& o) {
+  std::vector<std::vector<Change>> changes;
+  Ask(OpenCall(program_, top), Environment(program_.skills[top].parameters), [&](const Outcome& o) {
     if (!o.is_act) {
-      ++environments;
+      environments.push_back(Text(o.environment));
     } else if (options_.acts == ActMode::kAll) {
-      if (std::find(acts.begin(), acts.end(), o.act) == acts.end()) acts.push_back(o.act);
+      if (std::find(acts.begin(), acts.end(), o.act) != acts.end()) return;
+      acts.push_back(o.act);
+      changes.push_back(o.changes);
     } else if (acts.empty() || (options_.acts == ActMode::kValue && o.value > best)) {
       acts = {o.act};
+      changes = {o.changes};
       best = o.value;
     }
   });
+  for (const std::vector<Change>& of_act : changes) {
+    for (const Change& change : of_act) Apply(change);
+  }
   std::set<std::uint32_t> called;
   for (const auto& [key, state] : states_) {
     if (state.touched == cycle_) called.insert(state_skills_[key]);
@@ -62,6 +92,23 @@ void Reference::Cycle(std::uint32_t top) {
   std::erase_if(states_, [&](const auto& entry) {
     return entry.second.touched != cycle_ && called.contains(state_skills_[entry.first]);
   });
+}
+
+void Reference::Apply(const Change& change) {
+  const bool adds = change.function != "forget";
+  const bool known =
+      adds && std::find(memory_.begin(), memory_.end(), change.datum) != memory_.end();
+  bool placed = !adds || known;
+  std::vector<Datum> kept;
+  for (const Datum& fact : memory_) {
+    const bool fits = change.function != "store" && Fits(change.pattern, fact);
+    const bool goes = fits && !(adds && fact == change.datum);
+    if (!goes) kept.push_back(fact);
+    if (goes && !placed) kept.push_back(change.datum);
+    placed |= goes;
+  }
+  memory_ = kept;
+  if (!placed) memory_.push_back(change.datum);
 }
 
 void Reference::Ask(const Clause& clause, const Environment& environment, const Emit& emit) {
@@ -217,24 +264,72 @@ void Reference::Plan(const Skill& skill, const Environment& frame, const Emit& e
     if (o.is_act) {
       emit(o);
     } else if (means != nullptr) {
-      for (const Clause& clause : *means) Ask(clause, o.environment, emit);
+      for (const Clause& clause : Expanded(*means, o.environment)) {
+        Ask(clause, o.environment, emit);
+      }
     }
   });
 }
 
+std::vector<Clause> Reference::Expanded(const std::vector<Clause>& means,
+                                        const Environment& environment) {
+  std::vector<Clause> asked = means;
+  if (options_.expansion == Expansion::kAll) return asked;
+  if (options_.expansion == Expansion::kBest) {
+    std::stable_sort(asked.begin(), asked.end(), [&](const Clause& a, const Clause& b) {
+      return ValueOf(a, environment) > ValueOf(b, environment);
+    });
+  }
+  asked.resize(std::min(asked.size(), options_.means));
+  return asked;
+}
+
+double Reference::ValueOf(const Clause& means, const Environment& environment) {
+  if (means.kind != ClauseKind::kSkill) return kNoValue;
+  const Skill& skill = program_.skills[means.skill];
+  if (!skill.value) return kNoValue;
+  Environment frame(skill.variables.size());
+  for (std::size_t i = 0; i < means.terms.size(); ++i) {
+    frame[i] = Evaluate(means.terms[i], environment);
+  }
+  const std::optional<Datum> value = Evaluate(*skill.value, frame);
+  return value ? std::strtod(value->atom.c_str(), nullptr) : kNoValue;
+}
+
+/// With every `?` as an atom.
+std::optional<Datum> Reference::Pattern(const Term& term, const Environment& environment) {
+  if (term.kind == TermKind::kAnonymous) return Atom("?");
+  if (term.kind != TermKind::kList) return Evaluate(term, environment);
+  Datum list;
+  list.is_list = true;
+  for (const Term& item : term.items) {
+    const std::optional<Datum> value = Pattern(item, environment);
+    if (!value) return std::nullopt;
+    list.items.push_back(*value);
+  }
+  return list;
+}
+
 void Reference::Action(const Skill& skill, const Environment& frame, const Emit& emit) {
-  std::string text;
+  Outcome outcome{true, frame, "", kNoValue};
   for (const Clause& clause : *skill.slot(Slot::kAction)) {
     const Term& call = clause.terms[0];
-    text += '{' + call.text;
+    const bool pattern = call.text == "forget" || call.text == "update";
+    std::vector<Datum> values;
+    outcome.act += '{' + call.text;
     for (const Term& item : call.items) {
-      const std::optional<Datum> value = Evaluate(item, frame);
+      const bool open = pattern && values.empty();
+      const std::optional<Datum> value = open ? Pattern(item, frame) : Evaluate(item, frame);
       if (!value) return;
-      text += ' ' + value->Text();
+      values.push_back(*value);
+      outcome.act += ' ' + value->Text();
     }
-    text += '}';
+    outcome.act += '}';
+    if (pattern || call.text == "store") {
+      outcome.changes.push_back({call.text, values.front(), values.back()});
+    }
   }
-  emit({true, frame, text, kNoValue});
+  emit(outcome);
 }
 
 void Reference::Sequence(std::uint32_t index, const Environment& frame, const Emit& emit) {
@@ -245,6 +340,7 @@ void Reference::Sequence(std::uint32_t index, const Environment& frame, const Em
   }
   if (!states_.contains(key)) states_[key] = {0, frame, 0};
   state_skills_[key] = index;
+  if (states_[key].ended && states_[key].touched != cycle_) states_[key] = {0, frame, 0};
   states_[key].touched = cycle_;
   const std::vector<Clause>& steps = *skill.slot(Slot::kSequence);
   while (states_[key].step < steps.size()) {
@@ -260,6 +356,7 @@ void Reference::Sequence(std::uint32_t index, const Environment& frame, const Em
     states_[key].environment = truth->environment;
     ++states_[key].step;
   }
+  states_[key].ended = options_.restart;
   emit({false, states_[key].environment, "", 0});
 }
 

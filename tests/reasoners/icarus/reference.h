@@ -36,30 +36,39 @@ class Reference {
  public:
   Reference(const Program& program, Answers answers, const RunOptions& options);
 
-  /// One cycle of the skill `top`, which has no parameters but those given as atoms.
+  /// One cycle of the skill `top`, whose parameters are left open.
   void Cycle(std::uint32_t top);
 
-  std::vector<std::string> acts;  ///< In order; without repeats.
-  std::size_t environments = 0;
+  std::vector<std::string> acts;          ///< In order; without repeats.
+  std::vector<std::string> environments;  ///< What the parameters are bound to; `?`: nothing.
   std::string Memory() const;
   std::size_t clauses = 0;
   bool too_much = false;  ///< More clauses than a test should wait for.
 
  private:
   using Environment = std::vector<std::optional<Datum>>;
+  /// What an act does to memory: {function pattern datum}.
+  struct Change {
+    std::string function;
+    Datum pattern;  ///< `?` within stands for anything.
+    Datum datum;
+  };
   struct Outcome {
     bool is_act = false;
     Environment environment;
     std::string act;
     double value = 0;
+    std::vector<Change> changes = {};
   };
   using Emit = std::function<void(const Outcome&)>;
   struct State {
     std::size_t step = 0;
     Environment environment;
     std::uint64_t touched = 0;
+    bool ended = false;
   };
 
+  void Apply(const Change& change);
   void Ask(const Clause& clause, const Environment& environment, const Emit& emit);
   void Conjunction(const std::vector<Clause>& clauses, std::size_t first,
                    const Environment& environment, const Emit& emit);
@@ -67,6 +76,9 @@ class Reference {
   void Body(std::uint32_t skill, const Environment& frame, const Emit& emit);
   void Plan(const Skill& skill, const Environment& frame, const Emit& emit);
   void Sequence(std::uint32_t skill, const Environment& frame, const Emit& emit);
+  std::vector<Clause> Expanded(const std::vector<Clause>& means, const Environment& frame);
+  double ValueOf(const Clause& means, const Environment& environment);
+  std::optional<Datum> Pattern(const Term& term, const Environment& environment);
   void Action(const Skill& skill, const Environment& frame, const Emit& emit);
   void Negation(const Clause& clause, const Environment& environment, const Emit& emit);
   void Match(const Clause& clause, const Environment& environment, const Emit& emit);
