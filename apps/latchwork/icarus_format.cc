@@ -26,16 +26,21 @@ struct Settings {
   bool diff = false;
 };
 
-/// The new text stands beside the old one until it is whole.
+/// The new text stands beside the old one until it is whole. Links stay links, and permissions what
+/// they are.
 bool Replace(const std::string& file, const std::string& text) {
-  const std::filesystem::path fresh = file + ".formatted";
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path target = fs::canonical(file, error);
+  const fs::file_status before = fs::status(target, error);
+  const fs::path fresh = target.string() + ".formatted";
   std::ofstream stream(fresh, std::ios::binary);
+  if (stream) fs::permissions(fresh, before.permissions(), error);
   stream << text;
   stream.close();
-  std::error_code error;
-  if (stream) std::filesystem::rename(fresh, file, error);
+  if (stream && !error) fs::rename(fresh, target, error);
   if (stream && !error) return true;
-  std::filesystem::remove(fresh, error);
+  fs::remove(fresh, error);
   fmt::print(stderr, "{}: error: the file cannot be written\n", file);
   return false;
 }

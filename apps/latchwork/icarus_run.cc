@@ -32,6 +32,7 @@ void PrintJson(const IcarusSession& session, std::size_t top, const icarus::Cycl
                {"true", TopBindings(*session.interpreter, session.names, top, result)},
                {"clauses", result.clauses},
                {"faults", result.fault_count},
+               {"aborted", result.is_aborted},
                {"expected", met}};
   fmt::print("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
 }

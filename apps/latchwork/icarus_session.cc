@@ -20,16 +20,32 @@ bool Accept(const std::string& file, const icarus::Findings& findings) {
   return false;
 }
 
+std::size_t AddScriptTop(const std::string& text, const logic::SourcePlace& place,
+                         icarus::Interpreter& interpreter, icarus::Findings& findings) {
+  icarus::Findings own;
+  const std::size_t top = interpreter.AddTop(text, own);
+  icarus::MoveTo(place, own);
+  findings.insert(findings.end(), own.begin(), own.end());
+  return top;
+}
+
 /// Gives every cycle its top call: the script's, unless the command line names one.
 bool AddTops(const IcarusSettings& settings, const std::string& script_name,
              IcarusSession& session) {
   icarus::Findings findings;
-  const std::string& first = settings.top.empty() ? session.script.top : settings.top;
-  std::size_t top = first.empty() ? session.interpreter->AddTop(findings)
-                                  : session.interpreter->AddTop(first, findings);
-  bool named = top != icarus::Interpreter::kNoTop || !first.empty();
-  for (const icarus::ScriptCycle& cycle : session.script.cycles) {
-    if (cycle.top) top = session.interpreter->AddTop(*cycle.top, findings);
+  const icarus::WorldScript& script = session.script;
+  icarus::Interpreter& interpreter = *session.interpreter;
+  std::size_t top = icarus::Interpreter::kNoTop;
+  if (!settings.top.empty()) {
+    top = interpreter.AddTop(settings.top, findings);
+  } else if (!script.top.empty()) {
+    top = AddScriptTop(script.top, script.top_place, interpreter, findings);
+  } else {
+    top = interpreter.AddTop(findings);
+  }
+  bool named = top != icarus::Interpreter::kNoTop || !settings.top.empty() || !script.top.empty();
+  for (const icarus::ScriptCycle& cycle : script.cycles) {
+    if (cycle.top) top = AddScriptTop(*cycle.top, cycle.top_place, interpreter, findings);
     named = named || cycle.top.has_value();
     session.tops.push_back(cycle.idle ? icarus::Interpreter::kNoTop : top);
   }
@@ -49,9 +65,12 @@ void AddIcarusOptions(CLI::App& command, IcarusSettings& settings) {
   command.add_option("--top", settings.top, "The call to begin with: \"(Skill argument ...)\"");
   command.add_option("--acts", settings.acts, "Acts that leave a skill: first, all or value")
       ->check(CLI::IsMember({"first", "all", "value"}));
-  command.add_option("--expand", settings.expand, "Means that are asked: all, first or best")
-      ->check(CLI::IsMember({"all", "first", "best"}));
-  command.add_option("--means", options.means, "How many, with --expand first or best");
+  CLI::Option* const expand =
+      command.add_option("--expand", settings.expand, "Means that are asked: all, first or best")
+          ->check(CLI::IsMember({"all", "first", "best"}));
+  command.add_option("--means", options.means, "How many, with --expand first or best")
+      ->check(CLI::PositiveNumber)
+      ->needs(expand);
   command
       .add_option("--faults", settings.faults,
                   "What a fault does: false (its clause is False), abort-cycle or stop")

@@ -193,9 +193,16 @@ void AddIcarusTrace(CLI::App& icarus, Context& context) {
   command->add_option("PROGRAM", settings->common.program, "Program")->required();
   CLI::Option* const script = command->add_option("--script", settings->common.script,
                                                   "What the world does, cycle by cycle");
-  command->add_option("--replay", settings->replay, "A trace in JSON to run again and compare")
-      ->excludes(script);
+  CLI::Option* const replay =
+      command
+          ->add_option("--replay", settings->replay,
+                       "A trace in JSON to run again, with the options that it holds, and compare")
+          ->excludes(script);
   AddIcarusOptions(*command, settings->common);
+  for (const char* const name : {"--top", "--acts", "--expand", "--means", "--faults",
+                                 "--max-depth", "--max-clauses", "--restart", "--full"}) {
+    replay->excludes(command->get_option(name));
+  }
   command->add_option("--level", settings->level, "What is printed as text: clause or skill")
       ->check(CLI::IsMember({"clause", "skill"}));
   command->add_flag("--json", settings->json, "Print JSON, an object per line");

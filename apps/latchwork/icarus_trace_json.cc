@@ -169,7 +169,8 @@ Json ResultToJson(const IcarusSession& session, std::size_t index,
           {"stopped", Texts(result.stopped, session.names)},
           {"true", TopBindings(*session.interpreter, session.names, session.tops[index], result)},
           {"clauses", result.clauses},
-          {"faults", result.fault_count}};
+          {"faults", result.fault_count},
+          {"aborted", result.is_aborted}};
 }
 
 std::optional<RecordedTrace> ReadTrace(const std::string& text, const std::string& file,

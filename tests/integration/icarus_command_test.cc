@@ -76,6 +76,18 @@ TEST_F(IcarusCommandTest, Format_RewritesInPlaceOnce) {
   EXPECT_EQ(Icarus({"fmt", "--check", "p.icarus"}, kGood).exit_code, 0);
 }
 
+TEST_F(IcarusCommandTest, Format_KeepsLinksAndPermissions) {
+  namespace fs = std::filesystem;
+  WriteText(scratch_.path() / "real.icarus", "(Go ()\n :action   ({go}))");
+  constexpr fs::perms kMode = fs::perms::owner_all | fs::perms::group_read;
+  fs::permissions(scratch_.path() / "real.icarus", kMode);
+  fs::create_symlink("real.icarus", scratch_.path() / "link.icarus");
+  EXPECT_EQ(Icarus({"fmt", "link.icarus"}, kGood).exit_code, 0);
+  EXPECT_TRUE(fs::is_symlink(scratch_.path() / "link.icarus"));
+  EXPECT_EQ(ReadText(scratch_.path() / "real.icarus"), kGood);
+  EXPECT_EQ(fs::status(scratch_.path() / "real.icarus").permissions(), kMode);
+}
+
 TEST_F(IcarusCommandTest, Format_BrokenProgram_IsLeftAlone) {
   const std::string broken = "(Go () :action ({go}))\n(Run";
   EXPECT_EQ(Icarus({"fmt", "p.icarus"}, broken).exit_code, 3);
@@ -89,6 +101,49 @@ constexpr const char* kNear =
 constexpr const char* kApproach =
     "(top (Near car1 ?d))\n(cycle (answer {range-to car1} 3.0) (expect {goforward}))\n"
     "(cycle (expect {goforward}))\n(cycle (answer {range-to car1} 0.5) (expect true))\n";
+
+TEST_F(IcarusCommandTest, Run_BadTopsOfAScript_AreFoundInIt) {
+  WriteText(scratch_.path() / "w.world",
+            "(top (Near a b c))\n(functions range-to)\n(cycle (top (Far)))\n");
+  const CommandResult result = Icarus({"run", "p.icarus", "--script", "w.world"}, kNear);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_NE(result.err.find("w.world:1:6: error[I011]"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("w.world:3:14: error[I030]"), std::string::npos) << result.err;
+}
+
+TEST_F(IcarusCommandTest, Run_ScriptThatMeansNothing_IsRefused) {
+  WriteText(scratch_.path() / "w.world",
+            "(top (Near a))\n(top (Near b))\n(functions 3)\n(cycle (answer {< ? ?} t))\n"
+            "(cycle (answer {f 1} t) (answer {f 1 2} t) (repeat 2) (repeat 3))\n");
+  const CommandResult result = Icarus({"run", "p.icarus", "--script", "w.world"}, kNear);
+  EXPECT_EQ(result.exit_code, 3);
+  for (const char* const place : {"2:1", "3:12", "4:17", "5:33", "5:55"}) {
+    EXPECT_NE(result.err.find("w.world:" + std::string(place) + ": error[I029]"), std::string::npos)
+        << place << '\n'
+        << result.err;
+  }
+}
+
+TEST_F(IcarusCommandTest, Run_FunctionThatTheScriptLacks_SaysHowToDeclareIt) {
+  WriteText(scratch_.path() / "w.world", "(top (Near a))\n(cycle)\n");
+  const CommandResult result = Icarus({"run", "p.icarus", "--script", "w.world"}, kNear);
+  EXPECT_NE(result.err.find("(functions range-to)"), std::string::npos) << result.err;
+}
+
+TEST_F(IcarusCommandTest, Run_Json_TellsAbortedCycles) {
+  WriteText(scratch_.path() / "w.world", "(top (A b))\n(cycle)\n");
+  const CommandResult result =
+      Icarus({"run", "p.icarus", "--script", "w.world", "--faults", "abort-cycle", "--json"},
+             "(A (?x) :requires ({< ?x 1}) :means ((Go)))\n(Go () :action ({go}))\n");
+  EXPECT_EQ(nlohmann::json::parse(result.out)["aborted"], true) << result.out;
+}
+
+TEST_F(IcarusCommandTest, Run_OptionsWithoutEffect_AreRefused) {
+  WriteText(scratch_.path() / "w.world", kApproach);
+  EXPECT_EQ(Icarus({"run", "p.icarus", "--script", "w.world", "--means", "3"}, kNear).exit_code, 2);
+  EXPECT_EQ(Icarus({"trace", "p.icarus", "--replay", "t.jsonl", "--acts", "all"}, kNear).exit_code,
+            2);
+}
 
 TEST_F(IcarusCommandTest, Run_ScriptedWorld_PrintsActsAndTruth) {
   WriteText(scratch_.path() / "w.world", kApproach);
