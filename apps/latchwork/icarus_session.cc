@@ -211,6 +211,7 @@ std::vector<std::string> FaultTexts(const icarus::Program& program, std::uint64_
 
 void PrintFaults(const IcarusSession& session, const icarus::CycleResult& result) {
   const std::uint64_t cycle = session.interpreter->cycle();
+  std::fflush(stdout);  // Where both streams end up in one place, the cycle comes first.
   for (const std::string& text : FaultTexts(session.program.program, cycle, result)) {
     fmt::print(stderr, "{}\n", text);
   }
