@@ -109,7 +109,7 @@ TEST_F(TptpTypesTest, TypesThatChangeNothing_AreLeftOut) {
   EXPECT_THAT(Formulas("tff(a, axiom, ![X: $i]: X = a)."), ElementsAre("a: ! [X] : X = a"));
   EXPECT_THAT(Formulas("tff(a, axiom, ![X: $i, Y: $i]: ((age(X, 3) & X = Y) => age(Y, 3)))."
                        "tff(b, conjecture, ?[X: $i]: X = a)."),
-              ElementsAre("a: ! [X, Y] : (age(X, 3) & X = Y => age(Y, 3))", "b: ? [X] : X = a"));
+              ElementsAre("a: ! [X, Y] : ((age(X, 3) & X = Y) => age(Y, 3))", "b: ? [X] : X = a"));
   EXPECT_THAT(Formulas("tff(a, axiom, ![X: $int, Y: $real]: p(X, Y))."),
               ElementsAre("a: ! [X, Y] : p(X, Y)"));
 }

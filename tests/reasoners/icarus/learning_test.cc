@@ -45,6 +45,7 @@ class Journey {
       Arrive(place);
       learner_.BeginCycle();
       const CycleResult& result = interpreter_.Cycle(top_);
+      clauses_ += result.clauses;
       const std::string act(names_.Name(result.acts[0].calls[0].function));
       const bool road =
           act == "go" && names_.Name(result.acts[0].calls[0].arguments[0].name) == "road";
@@ -63,6 +64,9 @@ class Journey {
     return sum;
   }
 
+  /// Evaluated since it was made.
+  std::uint64_t clauses() const { return clauses_; }
+
  private:
   void Arrive(std::int64_t place) {
     Arena arena;
@@ -77,6 +81,7 @@ class Journey {
   Interpreter& interpreter_;
   NamePool& names_;
   std::size_t top_;
+  std::uint64_t clauses_ = 0;
 };
 
 class NoHost : public Host {
@@ -162,7 +167,10 @@ TEST(IcarusLearningTest, Pruning_AsksOnlyTheMeansOfTheHighestEstimate) {
   Findings findings;
   pruned.learner.Read(learned.learner.Write(), "values", findings);
   ASSERT_TRUE(findings.empty()) << Format(findings[0]);
+  const std::uint64_t before = learned.journey.clauses();
   EXPECT_EQ(pruned.Play(20), learned.Play(20));
+  // Of three means, which call an act each, one is asked.
+  EXPECT_LT(pruned.journey.clauses(), learned.journey.clauses() - before);
 }
 
 TEST(IcarusLearningTest, SameSeed_LearnsTheSame) {
