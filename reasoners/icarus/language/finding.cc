@@ -98,8 +98,9 @@ void Settle(const SourceTree& tree, Findings& findings) {
   std::erase_if(findings, [&](const Finding& finding) { return IsWaived(tree, finding); });
   std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
     const auto key = [](const Finding& f) {
-      return std::tuple(std::string_view(f.diagnostic.place.file), f.diagnostic.place.line,
-                        f.diagnostic.place.column, f.code);
+      const logic::SourcePlace& place = f.diagnostic.place;
+      return std::tuple<std::string_view, std::uint32_t, std::uint32_t, Code>(
+          place.file, place.line, place.column, f.code);
     };
     return key(a) < key(b);
   });

@@ -19,6 +19,7 @@ class SequenceStates {
   struct State {
     std::uint32_t skill = 0;
     std::uint32_t step = 0;
+    std::uint64_t hash = 0;     ///< Of the skill and the parameters.
     std::uint64_t touched = 0;  ///< Cycle in which it was last presented.
     bool changed = false;
     bool ended = false;              ///< It begins again in the next cycle that presents it.
@@ -45,9 +46,16 @@ class SequenceStates {
 
  private:
   static void Keep(State& state);
-  bool WasCalled(std::uint32_t skill, std::uint64_t cycle) const;
+  State& Make(std::uint32_t skill, std::span<const Value> parameters, std::uint64_t hash);
+  void Index();
+  bool WasCalled(std::uint32_t skill, std::uint64_t cycle) const {
+    return skill < called_.size() && called_[skill] == cycle;
+  }
 
   std::vector<std::unique_ptr<State>> states_;
+  std::vector<std::uint32_t> table_;   ///< States by hash: number + 1; 0: none.
+  bool indexed_ = false;               ///< The table holds all states.
+  std::vector<std::uint64_t> called_;  ///< The cycle in which each skill was called last.
   std::vector<std::unique_ptr<State>> free_;
 };
 
