@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "latchwork/logic/tptp.h"
+
 namespace latchwork::logic {
 
 namespace {
@@ -53,6 +55,15 @@ void AppendNumber(std::string& text, const Term& term) {
 
 std::string QuoteWord(std::string_view name) {
   if (IsBareWord(name)) return std::string(name);
+  std::string text;
+  AppendQuoted(text, name, '\'');
+  return text;
+}
+
+std::string QuoteName(std::string_view name) {
+  if (name.empty()) return "unnamed";
+  if (name.find_first_not_of("0123456789") == std::string_view::npos) return std::string(name);
+  if (name[0] != '$') return QuoteWord(name);
   std::string text;
   AppendQuoted(text, name, '\'');
   return text;

@@ -18,15 +18,11 @@ bool IsVariableName(std::string_view name) {
          std::all_of(name.begin(), name.end(), is_word_byte);
 }
 
-bool IsNumber(std::string_view name) {
-  return !name.empty() && name.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
 std::string Annotate(std::string_view language, std::string_view name, Role role,
                      std::string_view formula) {
   std::string text(language);
   text += '(';
-  text += IsNumber(name) ? std::string(name) : QuoteWord(name.empty() ? "unnamed" : name);
+  text += QuoteName(name);
   text += ", ";
   text += RoleName(role);
   text += ", ";

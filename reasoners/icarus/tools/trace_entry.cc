@@ -34,13 +34,15 @@ std::string StepText(const TraceEntry& entry) {
 
 std::string HostText(const TraceEntry& entry) {
   std::string text = entry.call;
-  if (!entry.text.empty()) return text + " failed: " + entry.text;
+  if (!entry.text.empty()) return text.append(" failed: ").append(entry.text);
   text += " = " + entry.answer.value_or("nil");
   return entry.kind == EventKind::kKnown ? text + " (known)" : text;
 }
 
 std::string WithBindings(std::string text, const TraceEntry& entry) {
-  for (const auto& [name, value] : entry.bindings) text += ' ' + name + '=' + value;
+  for (const auto& [name, value] : entry.bindings) {
+    text.append(" ").append(name).append("=").append(value);
+  }
   return text;
 }
 
@@ -161,7 +163,7 @@ FormId EventDescriber::StepForm(const Event& event) const {
 }
 
 std::string TraceLine(const TraceEntry& entry) {
-  const std::string what = What(entry);
+  std::string what = What(entry);
   if (what.empty()) return what;
   std::string place;
   if (entry.line != 0) place = std::to_string(entry.line) + ':' + std::to_string(entry.column);

@@ -52,8 +52,9 @@ class PathText {
     const bool ordered = place.slot == Slot::kObjective || place.slot == Slot::kRequires;
     for (std::size_t i = 0; ordered && i < place.index; ++i) Line(at, "held", clauses[i]);
     std::string label = std::string(KeywordOf(place.slot)).substr(1);
-    if (!ordered)
+    if (!ordered) {
       label = (place.slot == Slot::kMeans ? "means " : "step ") + std::to_string(place.index + 1);
+    }
     Line(at, label, clauses[place.index]);
   }
 

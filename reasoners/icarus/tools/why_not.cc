@@ -222,7 +222,7 @@ class Explainer {
     for (std::size_t i = clause.number - 1; i-- > 0;) {
       const TraceEntry& entry = cycle_.entries[i];
       if (entry.kind != EventKind::kHost && entry.kind != EventKind::kKnown) break;
-      text = ", " + entry.call + " = " + entry.answer.value_or("nil") + text;
+      text.insert(0, ", " + entry.call + " = " + entry.answer.value_or("nil"));
     }
     if (!text.empty()) text.replace(0, 2, ": ");
     return text;

@@ -2,6 +2,7 @@
 #include "reasoners/icarus/translations/reactive_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <string_view>
@@ -32,7 +33,7 @@ class PlanReader {
 
   void Read() {
     for (const FormId root : tree_.roots) AddPlan(root);
-    for (std::size_t i = 0; i < file_.plans.size(); ++i) FillPlan(file_.plans[i]);
+    for (auto& plan : file_.plans) FillPlan(plan);
     if (tree_.roots.empty() && file_.findings.empty()) {
       reporter_.AddAt(Code::kReactivePlan, 0, 1, 1, "the file has no plan", std::string(kFileHint));
     }
@@ -133,7 +134,7 @@ class PlanReader {
   }
 
   void TakeLabels(FormId form) {
-    constexpr std::string_view kLabelled[] = {"when", "by", "achieve", "goal"};
+    constexpr std::array<std::string_view, 4> kLabelled = {"when", "by", "achieve", "goal"};
     const std::vector<FormId> items = Parts(form);
     if (items.empty()) return;
     const bool may =
@@ -290,8 +291,8 @@ class PlanReader {
   }
 
   static bool IsKeyword(std::string_view head) {
-    constexpr std::string_view kKeywords[] = {"when", "by", "achieve", "goal",
-                                              "if",   "do", "not",     "bind"};
+    constexpr std::array<std::string_view, 8> kKeywords = {"when", "by", "achieve", "goal",
+                                                           "if",   "do", "not",     "bind"};
     return std::find(std::begin(kKeywords), std::end(kKeywords), head) != std::end(kKeywords);
   }
 

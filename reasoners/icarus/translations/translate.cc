@@ -207,7 +207,7 @@ class ProgramWriter {
       const std::string below = std::exchange(text_, others);
       AddSkill(way_name, arguments, way_slots);
       text_ += below;
-      means += " (" + way_name + arguments + ")";
+      means.append(" (").append(way_name).append(arguments).append(")");
     }
     const std::string below = std::exchange(text_, before);
     AddSkill(name, parameters, slots + Slot(":means", means));
@@ -230,7 +230,7 @@ class ProgramWriter {
       }
       const std::string name = NameOf(child);
       const std::string arguments = ArgumentsOf(child, scope, true);
-      required += " (" + name + arguments + ")";
+      required.append(" (").append(name).append(arguments).append(")");
       WriteAchieve(child, name, arguments, scope);
     }
     return Slot(":requires", required) + Slot(":means", ActClause(way));

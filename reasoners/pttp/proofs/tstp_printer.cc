@@ -61,12 +61,6 @@ std::string OnOneLine(std::string_view text) {
   return line;
 }
 
-std::string Quote(std::string_view name) {
-  const bool is_number =
-      !name.empty() && name.find_first_not_of("0123456789") == std::string_view::npos;
-  return is_number ? std::string(name) : logic::QuoteWord(name);
-}
-
 std::string Inference(std::string_view rule, std::string_view status,
                       std::span<const std::string> parents) {
   return fmt::format("inference({},[status({})],[{}])", rule, status, fmt::join(parents, ","));
@@ -120,10 +114,10 @@ std::string TstpPrinter::Leaf(std::size_t index) {
   if (!name.empty()) return name;
   const AnnotatedFormula& formula = sources_.formulas[index];
   const bool is_first = leaf_names_.insert(formula.name).second;
-  name = Quote(is_first ? formula.name : NewName(formula.name));
+  name = logic::QuoteName(is_first ? formula.name : NewName(formula.name));
   lines_.push_back(fmt::format("{}({}, {}, {}, file({}, {})).", formula.is_clause ? "cnf" : "fof",
                                name, logic::RoleName(formula.role), TextOf(index),
-                               logic::QuoteWord(sources_.file), Quote(formula.name)));
+                               logic::QuoteWord(sources_.file), logic::QuoteName(formula.name)));
   return name;
 }
 

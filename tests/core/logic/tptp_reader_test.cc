@@ -101,6 +101,13 @@ TEST_F(TptpReaderTest, Roles_FoldIntoThree) {
   EXPECT_EQ(file.formulas[3].place.line, 2U);
 }
 
+TEST_F(TptpReaderTest, Names_AreWrittenAsTheyAreRead) {
+  for (const std::string_view name : {"a", "12", "'B b'", "'$me'", "'$it\\'s'", "'0x'"}) {
+    const std::string text = "fof(" + std::string(name) + ", axiom, p).\n";
+    EXPECT_EQ(WriteTptp(Read(text).formulas), text);
+  }
+}
+
 TEST_F(TptpReaderTest, CommentsAndAnnotations_AreIgnored) {
   EXPECT_EQ(ReadOne("% one\n/* two\n**/fof(n, axiom, % three\n p, "
                     "inference(r,[status(thm),bind(X,$fot(f(X)))],[a:[b],'c']),[x,$fof(p&q)])."),

@@ -62,6 +62,8 @@ TptpAtom ReadTptpAtom(std::string_view text, std::string_view name, SymbolTable&
 
 /// The role as TPTP writes it.
 std::string_view RoleName(Role role);
+/// The name of a formula as TPTP writes it, in quotes where it needs them.
+std::string QuoteName(std::string_view name);
 /// Writes annotated formulas that read back to the same values: `fof(name, role, formula).`, one
 /// per line.
 std::string WriteTptp(const std::vector<AnnotatedFormula>& formulas);

@@ -59,7 +59,7 @@ inline ParameterSpec ChoiceParameter(std::string name, std::vector<std::string> 
                                      std::string help) {
   return {.name = std::move(name),
           .type = ParameterType::kText,
-          .default_value = choices.front(),
+          .default_value = choices.front(),  // NOLINT(bugprone-use-after-move): it comes first
           .unit = {},
           .help = std::move(help),
           .choices = std::move(choices)};
