@@ -85,7 +85,8 @@ std::span<const IcarusRepl::Command> IcarusRepl::Commands() {
       {"break", "break [SKILL | act {F ..} | fact (F ..)]",
        "stop after a cycle that calls the skill, chooses the act or gets the fact; or list",
        &IcarusRepl::BreakCommand},
-      {"break", "break in SKILL", "stop within a cycle, where the skill is called",
+      {"break", "break in SKILL",
+       "stop within a cycle, where the skill is called; then: next, continue, finish, where",
        &IcarusRepl::BreakCommand},
       {"delete", "delete [N]", "delete break N, or all", &IcarusRepl::DeleteCommand},
       {"watch", "watch [(F ..) | off]", "tell which facts come and go; or list, or end it",
@@ -120,6 +121,10 @@ bool IcarusRepl::Do(std::string_view line, std::string& out) {
     if (command.name != word) continue;
     (this->*command.act)(rest, out);
     return !ends_;
+  }
+  if (word == "continue" || word == "next" || word == "finish" || word == "where") {
+    out += fmt::format("'{}' is for a break within a cycle; 'break in SKILL' makes one\n", word);
+    return true;
   }
   std::vector<std::string> known = {"quit"};
   for (const Command& command : Commands()) known.emplace_back(command.name);

@@ -141,7 +141,7 @@ struct Session : IcarusToolsTest {
 TEST_F(Session, BreakIn_WaitsWithinTheCycle) {
   const std::string out = Repl(
       "break in Go\nbreak in Goo\nbreak\nstep 2\nwhere\nmemory (car ?)\nstore (a)\nnext\n"
-      "continue\nfinish\ndelete\nstep\nmemory\n");
+      "continue\nfinish\ndelete\nstep\nmemory\nwhere\n");
   EXPECT_EQ(out,
             "there is no skill 'Goo'; did you mean 'Go'?\n"
             "1: in Go\n"
@@ -159,7 +159,8 @@ TEST_F(Session, BreakIn_WaitsWithinTheCycle) {
             "2:19        (Go c1)\n"
             "2: continue {go c1}\n"
             "3: continue {go c1}\n"
-            "(car c1)\n");
+            "(car c1)\n"
+            "'where' is for a break within a cycle; 'break in SKILL' makes one\n");
 }
 
 TEST_F(Session, QuitOrEndOfInputWithinACycle_EndsTheSession) {
