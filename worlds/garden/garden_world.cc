@@ -66,7 +66,12 @@ void GardenWorld::Apply(std::uint64_t /*tick*/, std::span<const sdk::Batch> effe
 void GardenWorld::Step(std::uint64_t /*tick*/) {
   if (outcome_.state != sdk::Outcome::State::kRunning) return;
   state_->Step(task_, tick_seconds_);
-  if (state_->hour >= 24.0 * days_) Judge();
+  if (state_->hour >= 24.0 * days_) {
+    Judge();
+  } else if (state_->Alive() == 0) {
+    outcome_ = {sdk::Outcome::State::kFailed,
+                fmt::format("all pumpkins are dead on day {} of {}", state_->day() + 1, days_)};
+  }
 }
 
 void GardenWorld::Judge() {

@@ -48,6 +48,8 @@ Weather::Weather(std::uint64_t seed, int days) {
     Day made;
     made.drought = spell == kDrought;
     made.low = 2.5 + 11 * season + swing;
+    // Nobody works in the night before the first day: the season begins after the frost.
+    if (day == 0) made.low = std::max(made.low, 0.0);
     made.high = made.low + 9 + now.warmer + 2 * random.Uniform(k, 4);
     if (random.Uniform(k, 5) < now.rain_chance) {
       made.rain = std::min(60.0, -now.rain_mean * std::log(1 - random.Uniform(k, 6)));

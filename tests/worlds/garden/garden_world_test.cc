@@ -113,6 +113,15 @@ TEST_F(GardenWorldTest, EndOfSeason_IsJudged) {
   EXPECT_EQ(world_.outcome().state, State::kFailed);
 }
 
+TEST_F(GardenWorldTest, AllDead_RunIsOver) {
+  Load({{"beds", "1"}});
+  Ticks(10, {});
+  EXPECT_TRUE(world_.HandleEvent(0, Make("slugs", {Word("b1"), logic::Term::Real(1)})).empty());
+  Ticks(1, {});
+  EXPECT_EQ(world_.outcome().state, State::kFailed);
+  EXPECT_EQ(world_.outcome().message, "all pumpkins are dead on day 1 of 70");
+}
+
 TEST_F(GardenWorldTest, Events_ChangeTheGarden) {
   Load();
   EXPECT_TRUE(world_.HandleEvent(0, Make("spring_gives", {logic::Term::Real(2)})).empty());

@@ -36,15 +36,24 @@ TEST(WeatherTest, Temperature_IsLowestAtFiveAndContinuous) {
 }
 
 TEST(WeatherTest, Nights_AreColdAtTheEndsOfTheSeason) {
-  int early = 0;
+  int ends = 0;
   int middle = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const Weather weather(seed, kDays);
-    for (int day = 0; day < 5; ++day) early += weather.OfDay(day).low < 0 ? 1 : 0;
+    for (int day = 1; day < 6; ++day) {
+      ends += weather.OfDay(day).low < 0 ? 1 : 0;
+      ends += weather.OfDay(kDays - day).low < 0 ? 1 : 0;
+    }
     for (int day = 30; day < 40; ++day) middle += weather.OfDay(day).low < 0 ? 1 : 0;
   }
-  EXPECT_GT(early, 10);
+  EXPECT_GT(ends, 10);
   EXPECT_EQ(middle, 0);
+}
+
+TEST(WeatherTest, NightBeforeTheFirstDay_HasNoFrost) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    EXPECT_GE(Weather(seed, kDays).OfDay(0).low, 0) << "seed " << seed;
+  }
 }
 
 TEST(WeatherTest, Drought_BringsNoRain) {
