@@ -12,6 +12,7 @@
 #include "latchwork/sdk/random.h"
 #include "worlds/cleaning/cleaning_contract.h"
 #include "worlds/cleaning/cleaning_picture.h"
+#include "worlds/cleaning/reach.h"
 
 namespace latchwork::cleaning {
 
@@ -21,6 +22,14 @@ constexpr std::uint64_t kRouteEvery = 3;  // ticks
 constexpr std::size_t kMostRoute = 100000;
 constexpr std::uint64_t kTriesPerBox = 200;
 constexpr std::size_t kMostLost = 60;  // tiles that a box may take out of reach
+/// A way of three tiles is wide enough for it, one that is two wide and two deep is not: past a box
+/// the way is never a matter of centimetres.
+constexpr double kWideDisc = 0.37;  // m
+
+std::size_t ReachOfWideDisc(const CleaningState& state) {
+  const std::vector<char> reached = TilesInReach(state.plan, kWideDisc, state.brush);
+  return static_cast<std::size_t>(std::count(reached.begin(), reached.end(), char{1}));
+}
 
 FloorPlan LoadPlan(const sdk::WorldSetup& setup, const sdk::Parameters& parameters,
                    logic::Diagnostics& diagnostics) {
@@ -83,7 +92,7 @@ logic::Diagnostics CleaningWorld::Load(const sdk::WorldSetup& setup,
   return {};
 }
 
-/// Boxes stand where they do not close off a part of the floor.
+/// Boxes stand where they do not close off a part of the floor, nor leave but a narrow way to it.
 void CleaningWorld::PutBoxes(std::uint64_t seed, std::int64_t count) {
   const sdk::RandomStream random(seed, "boxes");
   for (std::int64_t box = 0; box < count; ++box) {
@@ -95,6 +104,7 @@ void CleaningWorld::PutBoxes(std::uint64_t seed, std::int64_t count) {
       CleaningState with_box = *state_;
       with_box.PutBox(corner);
       if (with_box.tiles_in_reach + kMostLost < state_->tiles_in_reach) continue;
+      if (ReachOfWideDisc(with_box) + kMostLost < ReachOfWideDisc(*state_)) continue;
       state_ = std::move(with_box);
       break;
     }

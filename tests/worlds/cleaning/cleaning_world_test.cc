@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tests/worlds/cleaning/cleaning_fixture.h"
+#include "worlds/cleaning/reach.h"
 
 namespace latchwork::cleaning {
 namespace {
@@ -151,6 +152,20 @@ TEST_F(CleaningWorldTest, Boxes_StandWhereTheSeedPutsThem) {
   EXPECT_EQ(Sensed(kPose), pose);
   ASSERT_EQ(logic::Format(Load({{"plan", ""}, {"boxes", "5"}}, kRoom, 8)), "");
   EXPECT_NE(Sensed(kPose), pose);
+}
+
+// With these seeds a box would stand so near a door that only a robot that minds centimetres gets
+// into the room.
+TEST_F(CleaningWorldTest, Boxes_LeaveWideWaysThroughDoors) {
+  const auto count = [](const std::vector<char>& tiles) {
+    return static_cast<double>(std::count(tiles.begin(), tiles.end(), char{1}));
+  };
+  for (const std::uint64_t seed : {27U, 38U}) {
+    ASSERT_EQ(logic::Format(Load({{"plan", ""}, {"boxes", "5"}}, kRoom, seed)), "");
+    const CleaningState& state = world_.state();
+    EXPECT_GE(count(TilesInReach(state.plan, 0.37, state.brush)), 0.95 * count(state.in_reach))
+        << "seed " << seed;
+  }
 }
 
 TEST_F(CleaningWorldTest, Draw_WritesTwoPictures) {
