@@ -58,11 +58,15 @@ constexpr std::array<CodeInfo, 35> kCodes = {{
     {"I018", kWarning, "No skill that could be the top of the program leads to this one."},
     {"I019", kWarning, "An empty :objective is True, so :requires and :means are never asked for."},
     {"I020", kWarning,
-     "An act must have no unbound variables; nothing before this clause binds the variable, so the "
-     "act is never offered."},
+     "An act must have no unbound variables, or it is not offered and a fault is reported. Nothing "
+     "before this clause binds the variable, or not each of the ways that lead here does: not all "
+     "means by which a skill may be True, or not all calls of this skill from the top (with no "
+     "top: "
+     "from any skill). ? is never bound."},
     {"I021", kWarning,
-     "A host function is called with values; nothing before this clause binds the variable, so the "
-     "call is False and a fault is reported."},
+     "A host function is called with values. Nothing before this clause binds the variable, or not "
+     "each of the ways that lead here does (see I020), so the call is False and a fault is "
+     "reported. ? is never bound."},
     {"I022", kWarning,
      "This means offers its act whenever it is asked; with acts = first, those after it are never "
      "chosen."},
@@ -72,7 +76,7 @@ constexpr std::array<CodeInfo, 35> kCodes = {{
      "depth, with a fault."},
     {"I024", kWarning,
      "The state of a sequence is kept for the values of its parameters; nothing before this clause "
-     "binds the variable, so all such calls share one state."},
+     "surely binds the variable (see I020), so all such calls share one state."},
     {"I025", kWarning,
      "Memory is changed where a clause is only asked whether it holds. Changes belong into "
      ":sensor and :action."},

@@ -60,7 +60,7 @@ void Check(ProgramFile& result, const CheckOptions& options) {
   if (!HasErrors(found)) {
     LintCalls(program, options, reporter, found);
     LintTypes(program, reporter);
-    LintVariables(program, reporter);
+    LintVariables(program, options, reporter);
     LintSkills(program, options, reporter);
     LintSpelling(program, reporter);
   }

@@ -16,7 +16,7 @@ void LintCalls(const Program& program, const CheckOptions& options, Reporter& re
 void LintTypes(const Program& program, Reporter& reporter);
 
 /// Variables that stand once, or that nothing binds where a value is needed.
-void LintVariables(const Program& program, Reporter& reporter);
+void LintVariables(const Program& program, const CheckOptions& options, Reporter& reporter);
 
 /// Skills that are never reached, never act, hide others, or never end.
 void LintSkills(const Program& program, const CheckOptions& options, Reporter& reporter);

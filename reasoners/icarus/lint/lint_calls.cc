@@ -75,11 +75,16 @@ class CallLint {
     reporter_.Add(more ? Code::kTooManyArguments : Code::kTooFewArguments, clause.form,
                   "'" + callee.spelling + "' has " + Count(callee.parameters, "parameter") +
                       ", but is called with " + std::to_string(given),
-                  more ? "take out what is too much" : "write ? for what is of no interest");
+                  more ? "take out what is too much" : HintForTooFew(callee));
     reporter_.Note(callee.name_form, "defined here");
     if (!more && options_.strict && !findings_.empty()) {
       findings_.back().severity = Severity::kError;
     }
+  }
+
+  static std::string HintForTooFew(const Skill& callee) {
+    const bool plan = callee.type == SkillType::kPlan || callee.type == SkillType::kSensor;
+    return plan ? "write ? for what is of no interest" : "give all of them a value";
   }
 
   void CheckMatch(const Clause& clause) {

@@ -8,39 +8,14 @@
 #include "reasoners/icarus/language/signature.h"
 #include "reasoners/icarus/language/walk.h"
 #include "reasoners/icarus/lint/lint.h"
+#include "reasoners/icarus/lint/program_tops.h"
 
 namespace latchwork::icarus {
 
 namespace {
 
-std::vector<bool> Called(const Program& program) {
-  std::vector<bool> called(program.skills.size(), false);
-  for (std::size_t i = 0; i < program.skills.size(); ++i) {
-    WalkClauses(program.skills[i], [&](const Clause& clause, Slot) {
-      if (clause.kind == ClauseKind::kSkill && clause.skill != i) called[clause.skill] = true;
-    });
-  }
-  return called;
-}
-
-/// With no top known, the first skill and those that no other calls may be it.
-std::vector<std::uint32_t> Tops(const Program& program, const CheckOptions& options) {
-  if (!options.top.empty()) return {program.Find(options.top)};
-  if (program.top) {
-    std::vector<std::uint32_t> named;
-    WalkClauses(*program.top, [&](const Clause& clause, Slot) { named.push_back(clause.skill); });
-    return named;
-  }
-  const std::vector<bool> called = Called(program);
-  std::vector<std::uint32_t> tops;
-  for (std::uint32_t i = 0; i < program.skills.size(); ++i) {
-    if (i == 0 || !called[i]) tops.push_back(i);
-  }
-  return tops;
-}
-
 void LintReach(const Program& program, const CheckOptions& options, Reporter& reporter) {
-  std::vector<std::uint32_t> open = Tops(program, options);
+  std::vector<std::uint32_t> open = TopsOf(program, options);
   for (const Skill& never : program.nevers) {
     WalkClauses(never, [&](const Clause& clause, Slot) {
       if (clause.kind == ClauseKind::kSkill) open.push_back(clause.skill);

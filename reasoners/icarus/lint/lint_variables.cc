@@ -1,189 +1,174 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cstddef>
+#include <deque>
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "reasoners/icarus/language/walk.h"
+#include "reasoners/icarus/lint/binding_modes.h"
+#include "reasoners/icarus/lint/binding_trace.h"
 #include "reasoners/icarus/lint/lint.h"
+#include "reasoners/icarus/lint/program_tops.h"
 
 namespace latchwork::icarus {
 
 namespace {
 
-using Bits = std::vector<bool>;
+Mode AllBound(const Program& program, std::uint32_t skill) {
+  return {skill, Bits(program.skills[skill].parameters, true)};
+}
 
-/// Which parameters a skill may bind, as far as can be seen without running it.
-class Outputs {
+/// How the skills that may be the top are called: what they are given is taken to be bound.
+std::vector<Mode> EntriesOf(const Program& program, const CheckOptions& options) {
+  std::vector<Mode> entries;
+  if (program.top && options.top.empty()) return entries;  // Its call is followed.
+  for (const std::uint32_t skill : TopsOf(program, options)) {
+    if (skill != kNoSkill) entries.push_back(AllBound(program, skill));
+  }
+  return entries;
+}
+
+/// Follows the skills in the modes in which they may be called; those that nothing leads to, with
+/// all their parameters bound.
+class BindingLint final : private BindingListener {
  public:
-  explicit Outputs(const Program& program) : program_(program) {
-    for (const Skill& skill : program.skills) may_bind_.emplace_back(skill.parameters, false);
-    bool changed = true;
-    for (int pass = 0; changed && pass < kPasses; ++pass) {
-      changed = false;
-      for (std::size_t i = 0; i < program.skills.size(); ++i) changed |= Update(i);
-    }
-    if (!changed) return;
-    for (Bits& bits : may_bind_) bits.assign(bits.size(), true);
-  }
-
-  /// Adds the variables that a clause may bind.
-  void Add(const Clause& clause, Bits& bound) const {
-    switch (clause.kind) {
-      case ClauseKind::kBind:
-        if (clause.terms[1].kind != TermKind::kCall) AddAll(clause.terms[1], bound);
-        AddAll(clause.terms[0], bound);
-        break;
-      case ClauseKind::kMatch:
-        for (const Term& term : clause.terms) AddAll(term, bound);
-        break;
-      case ClauseKind::kSkill: {
-        const Bits& outputs = may_bind_[clause.skill];
-        for (std::size_t i = 0; i < clause.terms.size() && i < outputs.size(); ++i) {
-          if (outputs[i]) AddAll(clause.terms[i], bound);
-        }
-        break;
-      }
-      default:
-        break;
-    }
-  }
-
- private:
-  static constexpr int kPasses = 64;
-
-  static void AddAll(const Term& term, Bits& bound) {
-    WalkTerm(term, [&](const Term& part) {
-      if (part.kind == TermKind::kVariable) bound[part.index] = true;
-    });
-  }
-
-  bool Update(std::size_t index) {
-    const Skill& skill = program_.skills[index];
-    Bits bound(skill.variables.size(), false);
-    for (std::size_t slot = 0; slot < kSlots; ++slot) {
-      if (!skill.slots.at(slot)) continue;
-      for (const Clause& clause : *skill.slots.at(slot)) Add(clause, bound);
-    }
-    bool changed = false;
-    for (std::size_t i = 0; i < skill.parameters; ++i) {
-      if (!bound[i] || may_bind_[index][i]) continue;
-      may_bind_[index][i] = true;
-      changed = true;
-    }
-    return changed;
-  }
-
-  const Program& program_;
-  std::vector<Bits> may_bind_;
-};
-
-/// Follows one skill in the order in which its clauses are asked.
-class BindingLint {
- public:
-  BindingLint(const Program& program, const Outputs& outputs, const Skill& skill,
-              Reporter& reporter)
-      : program_(program), outputs_(outputs), skill_(skill), reporter_(reporter) {
-    entry_.assign(skill.variables.size(), false);
-    std::fill_n(entry_.begin(), skill.parameters, true);
+  BindingLint(const Program& program, const CheckOptions& options, Reporter& reporter)
+      : program_(program),
+        modes_(program),
+        trace_(program, *this),
+        reporter_(reporter),
+        reached_(program.skills.size(), false) {
+    for (Mode& mode : EntriesOf(program, options)) Reach(std::move(mode), kNoForm);
   }
 
   void Check() {
-    for (const Slot slot : {Slot::kObjective, Slot::kSequence, Slot::kAction, Slot::kSensor}) {
-      Conjunction(slot, entry_);
-    }
-    const Bits required = Conjunction(Slot::kRequires, entry_);
-    const std::vector<Clause>* means = skill_.slot(Slot::kMeans);
-    if (means == nullptr) return;
-    for (const Clause& clause : *means) {
-      Bits bound = required;
-      CheckClause(clause, bound);
+    WalkNameless(program_, [&](const Skill& nameless) {
+      current_ = nullptr;
+      trace_.Follow(nameless, {});
+    });
+    Drain();
+    for (std::uint32_t i = 0; i < program_.skills.size(); ++i) {
+      if (reached_[i]) continue;
+      Reach(AllBound(program_, i), kNoForm);
+      Drain();
     }
   }
 
  private:
-  Bits Conjunction(Slot slot, Bits bound) {
-    const std::vector<Clause>* clauses = skill_.slot(slot);
-    if (clauses == nullptr) return bound;
-    for (const Clause& clause : *clauses) {
-      CheckClause(clause, bound);
-      outputs_.Add(clause, bound);
-    }
-    return bound;
+  void Reach(Mode mode, FormId call) {
+    reached_[mode.skill] = true;
+    const auto [place, is_new] = calls_.emplace(std::move(mode), call);
+    if (is_new) waiting_.push_back(&place->first);
   }
 
-  void CheckClause(const Clause& clause, Bits& bound) {
-    for (const Term& term : clause.terms) {
-      if (term.kind == TermKind::kCall) CheckCall(term, bound);
-    }
-    for (const Clause& inner : clause.inner) CheckClause(inner, bound);
-    if (clause.kind != ClauseKind::kSkill) return;
-    const Skill& callee = program_.skills[clause.skill];
-    if (callee.type == SkillType::kAction) {
-      Require(clause.terms, Code::kUnboundAct, "the act '" + callee.spelling + "'", bound);
-    } else if (callee.type == SkillType::kSequence) {
-      Require(clause.terms, Code::kUnboundSequence, "the sequence '" + callee.spelling + "'",
-              bound);
+  void Drain() {
+    while (!waiting_.empty()) {
+      current_ = waiting_.front();
+      waiting_.pop_front();
+      trace_.Follow(program_.skills[current_->skill], current_->bound);
     }
   }
 
-  /// What {forget} and {update} look for is a pattern: there variables may be unbound.
-  void CheckCall(const Term& call, Bits& bound) {
-    const bool pattern_first = call.text == "forget" || call.text == "update";
-    for (std::size_t i = 0; i < call.items.size(); ++i) {
-      if (pattern_first && i == 0) continue;
-      Require({&call.items[i], 1}, Code::kUnboundCall, "{" + call.text + "}", bound);
+  Exit Call(Mode mode, const Clause& clause) override {
+    Exit exit = modes_.Of(mode);
+    Reach(modes_.is_known() ? std::move(mode) : AllBound(program_, clause.skill), clause.form);
+    return exit;
+  }
+
+  bool IsOpenParameter(const Term& term) const {
+    return current_ != nullptr && term.kind == TermKind::kVariable &&
+           term.index < current_->bound.size() && !current_->bound[term.index];
+  }
+
+  void Missing(const Term& term, const Need& need, const Bindings& bindings) override {
+    if (!reported_.insert(term.form).second) return;
+    if (term.kind == TermKind::kAnonymous) {
+      reporter_.Add(need.code, term.form, "? has no value, which " + need.what + " needs",
+                    "write a value, or a variable that is bound before");
+    } else if (IsOpenParameter(term)) {
+      MissingParameter(term, need);
+    } else if (bindings.may[term.index]) {
+      reporter_.Add(
+          need.code, term.form,
+          "not all that is before this binds " + Spelling(term) + ", which " + need.what + " needs",
+          "bind it in each of the ways that lead here");
+    } else {
+      reporter_.Add(
+          need.code, term.form,
+          "nothing before this binds " + Spelling(term) + ", which " + need.what + " needs",
+          "bind it first, or make it a parameter");
     }
   }
 
-  void Require(std::span<const Term> terms, Code code, const std::string& what, Bits& bound) {
-    for (const Term& term : terms) {
-      WalkTerm(term, [&](const Term& part) {
-        if (part.kind != TermKind::kVariable || bound[part.index]) return;
-        reporter_.Add(code, part.form,
-                      "nothing before this binds " + std::string(Spelling(part)) + ", which " +
-                          what + " needs",
-                      "bind it first, or make it a parameter");
-        bound[part.index] = true;
-      });
-    }
+  /// The first place is enough: the call is what is to be mended.
+  void MissingParameter(const Term& term, const Need& need) {
+    const Skill& skill = program_.skills[current_->skill];
+    if (!parameters_.emplace(current_->skill, term.index).second) return;
+    reporter_.Add(need.code, term.form,
+                  "'" + skill.spelling + "' may be called with " + Spelling(term) +
+                      " unbound, which " + need.what + " needs",
+                  "bind it before the call, or here");
+    const FormId call = calls_.at(*current_);
+    if (call != kNoForm) reporter_.Note(call, "called here");
   }
 
-  std::string_view Spelling(const Term& variable) const {
-    return program_.source.Text(variable.form);
+  std::string Spelling(const Term& variable) const {
+    return std::string(program_.source.Text(variable.form));
   }
 
   const Program& program_;
-  const Outputs& outputs_;
-  const Skill& skill_;
+  BindingModes modes_;
+  BindingTrace trace_;
   Reporter& reporter_;
-  Bits entry_;
+  std::vector<bool> reached_;
+  std::map<Mode, FormId> calls_;  ///< The modes that were met, and the first call of each.
+  std::deque<const Mode*> waiting_;
+  const Mode* current_ = nullptr;
+  std::set<FormId> reported_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> parameters_;  ///< Those that were reported.
 };
 
+/// The variables that stand where a value is needed.
+std::vector<bool> Needed(const Program& program, const Skill& skill) {
+  std::vector<bool> needed(skill.variables.size(), false);
+  const auto mark = [&](const Term& term) {
+    WalkTerm(term, [&](const Term& part) {
+      if (part.kind == TermKind::kVariable) needed[part.index] = true;
+    });
+  };
+  WalkClauses(skill, [&](const Clause& clause, Slot) {
+    const bool needs_all = clause.kind == ClauseKind::kSkill &&
+                           (program.skills[clause.skill].type == SkillType::kAction ||
+                            program.skills[clause.skill].type == SkillType::kSequence);
+    for (const Term& term : clause.terms) {
+      if (needs_all || term.kind == TermKind::kCall) mark(term);
+    }
+  });
+  return needed;
+}
+
 void LintSingles(const Program& program, const Skill& skill, Reporter& reporter) {
+  const std::vector<bool> needed = Needed(program, skill);
   for (std::size_t i = 0; i < skill.variables.size(); ++i) {
     if (skill.occurrences[i] > 1 || skill.variables[i].starts_with("?_")) continue;
     const std::string name(program.source.Text(skill.variable_forms[i]));
+    const std::string meant = "write " + std::string(i < skill.parameters ? "" : "? or ") + "?_" +
+                              name.substr(1) + " if that is meant";
     reporter.Add(Code::kVariableOnce, skill.variable_forms[i],
                  "the variable " + name + " stands only here",
-                 "write " + std::string(i < skill.parameters ? "" : "? or ") + "?_" +
-                     name.substr(1) + " if that is meant");
+                 needed[i] ? "bind it first, or make it a parameter" : meant);
   }
 }
 
 }  // namespace
 
-void LintVariables(const Program& program, Reporter& reporter) {
-  const Outputs outputs(program);
-  for (const Skill& skill : program.skills) {
-    LintSingles(program, skill, reporter);
-    BindingLint(program, outputs, skill, reporter).Check();
-  }
-  for (const Skill& never : program.nevers) {
-    LintSingles(program, never, reporter);
-    BindingLint(program, outputs, never, reporter).Check();
-  }
+void LintVariables(const Program& program, const CheckOptions& options, Reporter& reporter) {
+  for (const Skill& skill : program.skills) LintSingles(program, skill, reporter);
+  for (const Skill& never : program.nevers) LintSingles(program, never, reporter);
+  BindingLint(program, options, reporter).Check();
 }
 
 }  // namespace latchwork::icarus

@@ -38,7 +38,7 @@ TEST(IcarusProgramTest, AnUnclosedForm_TheOthersAreCheckedWithoutFollowUps) {
                   "(Turn () :requires ((Lost 1) (Near ?_a ?_b)) :means ((GoForward)))\n"
                   "(Lost (?x) :requires ((Turn))\n"
                   "(Distance (?car ?d) :sensor ((bind ?d {range-to ?car})))\n"),
-            (List{"2:65 I015", "3:28 I017", "3:28 I021", "4:30 I011", "5:1 I001"}));
+            (List{"2:65 I015", "3:28 I017", "3:28 I021", "4:30 I011", "5:1 I001", "6:49 I021"}));
 }
 
 TEST(IcarusProgramTest, Clauses_AreResolvedInOrder) {
@@ -156,6 +156,59 @@ TEST(IcarusProgramTest, UnboundActArgument_IsFound) {
   EXPECT_EQ(Codes("(A () :requires ((C ?x)) :means ((B ?x)))\n(B (?x) :action ({go ?x}))\n"
                   "(C (?x) :means ((D ?x)))\n(D (?x) :objective ((car ?x)))"),
             List());
+}
+
+TEST(IcarusProgramTest, UnboundArgument_IsFollowedThroughCalls) {
+  constexpr std::string_view kRest = "(Mid (?y) :means ((Do ?y)))\n(Do (?z) :action ({go ?z}))";
+  EXPECT_EQ(Codes("(Top () :means ((Mid ?_x)))\n" + std::string(kRest)), List{"2:23 I020"});
+  EXPECT_EQ(Codes("(Top () :means ((Mid 1)))\n" + std::string(kRest)), List());
+  EXPECT_EQ(Codes("(top (Mid ?))\n" + std::string(kRest)), List{"2:23 I020"});
+  EXPECT_EQ(Codes("(top (Mid 1))\n" + std::string(kRest)), List());
+  EXPECT_EQ(Codes("(A () :means ((B 1 ?_x)))\n(B (?x ?y) :objective ({f ?x} {f ?y} {f ?y}))"),
+            List{"2:34 I021"});
+}
+
+TEST(IcarusProgramTest, UnboundParameter_NamesTheCall) {
+  const ProgramFile file =
+      ReadProgram("(A () :means ((B ?_x)))\n(B (?y) :objective ({f ?y}))", "p.icarus");
+  ASSERT_EQ(file.findings.size(), 1U);
+  EXPECT_EQ(file.findings[0].diagnostic.message,
+            "'B' may be called with ?y unbound, which {f} needs");
+  ASSERT_TRUE(file.findings[0].note);
+  EXPECT_EQ(file.findings[0].note->place.line, 1U);
+  EXPECT_EQ(file.findings[0].note->place.column, 15U);
+}
+
+TEST(IcarusProgramTest, Anonymous_IsUnbound) {
+  EXPECT_EQ(Codes("(A () :requires ({f ?}))"), List{"1:21 I021"});
+  EXPECT_EQ(Codes("(A () :requires ((bind ?x {f (1 ?)}) {f ?x}))"), List{"1:33 I021"});
+  EXPECT_EQ(Codes("(A () :action ({go ? 1}))"), List{"1:20 I021"});
+  EXPECT_EQ(Codes("(A () :means ((B ?)))\n(B (?x) :action ({go ?x}))"), List{"1:18 I020"});
+  EXPECT_EQ(Codes("(A () :means ((S ?)))\n(S (?x) :sequence ({f ?x}))"), List{"1:18 I024"});
+  EXPECT_EQ(Codes("(A () :sensor ({forget (a ?)} {update (a ?) (a 1)}))"), List());
+  EXPECT_EQ(Codes("(A () :sensor ({store (a ?)}))"), List{"1:26 I021"});
+}
+
+TEST(IcarusProgramTest, Variable_IsBoundWhenEachWayToBeTrueBindsIt) {
+  const auto with = [](std::string_view second) {
+    return Codes(
+        "(A () :requires ((Pick ?x)) :means ((Do ?x)))\n"
+        "(Pick (?x) :objective ((car ?x)) :means (" +
+        std::string(second) + "))\n(Do (?x) :action ({go ?x}))\n(Rule () :objective ({f}))");
+  };
+  EXPECT_EQ(with("(Rule)"), List{"1:41 I020"});
+  EXPECT_EQ(with("(bind ?x 1)"), List());
+  EXPECT_EQ(with("(Do 1)"), List()) << "an act is no way to be True";
+  EXPECT_EQ(with("(Pick ?x)"), List{"2:42 I023"}) << "recursion is no way of its own";
+}
+
+TEST(IcarusProgramTest, Modes_AreOfEachCall) {
+  EXPECT_EQ(Codes("(A () :requires ((Same 1 ?x) (Same ?y ?x) {f ?x ?y}))\n"
+                  "(Same (?a ?b) :objective ((bind ?a ?b)))"),
+            List());
+  EXPECT_EQ(Codes("(A () :requires ((Same ?x ?y) {f ?x ?y}))\n"
+                  "(Same (?a ?b) :objective ((bind ?a ?b)))"),
+            (List{"1:34 I021", "1:37 I021"}));
 }
 
 TEST(IcarusProgramTest, Unreachable_DependsOnTheTop) {
