@@ -39,7 +39,7 @@ std::vector<std::string> LostNames(const SourceTree& source) {
   return lost;
 }
 
-/// What is only said because forms are missing that could not be read.
+/// What is only said because forms are missing: those with these names could not be read.
 bool IsFollowUp(const Finding& finding, const std::vector<std::string>& lost) {
   if (finding.code == Code::kUnreachable || finding.code == Code::kUnknownFact ||
       finding.code == Code::kNoSuchFact) {
@@ -57,14 +57,13 @@ void Check(ProgramFile& result, const CheckOptions& options) {
   Findings found;
   BuildProgram(program, found);
   Reporter reporter(program.source, found);
-  if (!HasErrors(found)) {
-    LintCalls(program, options, reporter, found);
-    LintTypes(program, reporter);
-    LintVariables(program, options, reporter);
-    LintSkills(program, options, reporter);
-    LintSpelling(program, reporter);
-  }
-  if (HasErrors(result.findings)) {
+  const bool is_whole = !HasErrors(found) && !HasErrors(result.findings);
+  LintCalls(program, options, reporter, found);
+  LintTypes(program, reporter);
+  LintVariables(program, options, reporter);
+  LintSkills(program, options, reporter);
+  LintSpelling(program, reporter);
+  if (!is_whole) {
     const std::vector<std::string> lost = LostNames(program.source);
     std::erase_if(found, [&](const Finding& finding) { return IsFollowUp(finding, lost); });
   }

@@ -76,6 +76,8 @@ struct Skill {
   std::array<std::optional<std::vector<Clause>>, kSlots> slots;
   std::array<FormId, kSlots> slot_forms{};
   std::optional<Term> value;
+  bool has_whole_head = true;  ///< Otherwise parameters are missing.
+  bool is_whole = true;        ///< Otherwise clauses, and what they would do, are missing.
 
   const std::vector<Clause>* slot(Slot which) const {
     const auto& clauses = slots[static_cast<std::size_t>(which)];

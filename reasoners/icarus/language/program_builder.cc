@@ -43,6 +43,7 @@ class Builder {
   Builder(Program& program, Findings& findings)
       : program_(program),
         tree_(program.source),
+        findings_(findings),
         reporter_(program.source, findings),
         clauses_(program.source, names_, reporter_) {}
 
@@ -50,12 +51,22 @@ class Builder {
     program_.constants.push_back({"*cycle*", kNoForm, Term()});
     names_.constants.emplace("*cycle*", kCycleConstant);
     for (const FormId root : tree_.roots) Collect(root);
-    for (Skill& skill : program_.skills) Fill(skill);
-    if (program_.top) FillTop(*program_.top);
-    for (Skill& never : program_.nevers) FillNever(never);
+    for (Skill& skill : program_.skills) {
+      skill.is_whole = IsClean([&] { Fill(skill); }) && skill.has_whole_head;
+    }
+    if (program_.top) program_.top->is_whole = IsClean([&] { FillTop(*program_.top); });
+    for (Skill& never : program_.nevers) never.is_whole = IsClean([&] { FillNever(never); });
   }
 
  private:
+  /// Whether a step of the building finds nothing wrong.
+  template <typename Step>
+  bool IsClean(const Step& step) {
+    const std::size_t before = findings_.size();
+    step();
+    return findings_.size() == before && !reporter_.full();
+  }
+
   /// Constants and facts at once; of skills the head, so that each may call every other.
   void Collect(FormId root) {
     const std::vector<FormId> children = tree_.Children(root);
@@ -91,6 +102,8 @@ class Builder {
     if (children.size() != 3 || tree_.kind(children[1]) != FormKind::kConstant) {
       reporter_.Add(Code::kConstant, root, "a constant has a name in stars and a value",
                     "write (constant *NAME* value)");
+      if (children.size() > 1 && tree_.kind(children[1]) == FormKind::kConstant)
+        AddLost(children[1]);
       return;
     }
     clauses_.Begin(nullptr, Code::kConstant);
@@ -106,7 +119,21 @@ class Builder {
           "give it another name");
       return;
     }
-    program_.constants.push_back({name, children[1], value ? *std::move(value) : Term()});
+    program_.constants.push_back({name, children[1], value ? *std::move(value) : AnyValue()});
+  }
+
+  /// So that its uses are not wrong as well.
+  void AddLost(FormId constant) {
+    const auto index = static_cast<std::uint32_t>(program_.constants.size());
+    const std::string name = tree_.Folded(constant);
+    if (!names_.constants.emplace(name, index).second) return;
+    program_.constants.push_back({name, constant, AnyValue()});
+  }
+
+  static Term AnyValue() {
+    Term term;
+    term.kind = TermKind::kAnonymous;
+    return term;
   }
 
   void AddFacts(const std::vector<FormId>& children) {
@@ -174,12 +201,14 @@ class Builder {
                     "the skill '" + std::string(tree_.Text(children[0])) + "' is already defined",
                     "give one of them another name");
       reporter_.Note(program_.skills[place->second].name_form, "defined here");
+      program_.skills[place->second].has_whole_head =
+          false;  // Which of them is meant is not known.
       return;
     }
     Skill skill = Nameless(root, children[0]);
     skill.name = name;
     skill.spelling = tree_.Text(children[0]);
-    AddParameters(skill, children);
+    skill.has_whole_head = IsClean([&] { AddParameters(skill, children); });
     program_.skills.push_back(std::move(skill));
   }
 
@@ -321,6 +350,7 @@ class Builder {
 
   Program& program_;
   const SourceTree& tree_;
+  Findings& findings_;
   Reporter reporter_;
   Names names_;
   ClauseBuilder clauses_;

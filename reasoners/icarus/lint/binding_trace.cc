@@ -65,6 +65,7 @@ void AddWay(const Bindings& way, std::size_t parameters, Exit& exit) {
 }  // namespace
 
 Exit BindingTrace::Follow(const Skill& skill, const Bits& bound_parameters) {
+  if (!skill.is_whole) return {true, Bits(skill.parameters, true), Bits(skill.parameters, true)};
   Exit exit{false, Bits(skill.parameters, true), Bits(skill.parameters, false)};
   Bindings entry{bound_parameters, {}, false};
   entry.surely.resize(skill.variables.size(), false);

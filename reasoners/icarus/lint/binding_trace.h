@@ -63,6 +63,7 @@ class BindingTrace {
   BindingTrace(const Program& program, BindingListener& listener)
       : program_(program), listener_(listener) {}
 
+  /// Of a skill with clauses missing all is taken to be right.
   Exit Follow(const Skill& skill, const Bits& bound_parameters);
 
  private:

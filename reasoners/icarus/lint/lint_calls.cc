@@ -70,7 +70,7 @@ class CallLint {
   void CheckArity(const Clause& clause) {
     const Skill& callee = program_.skills[clause.skill];
     const std::size_t given = clause.terms.size();
-    if (given == callee.parameters) return;
+    if (given == callee.parameters || !callee.has_whole_head) return;
     const bool more = given > callee.parameters;
     reporter_.Add(more ? Code::kTooManyArguments : Code::kTooFewArguments, clause.form,
                   "'" + callee.spelling + "' has " + Count(callee.parameters, "parameter") +

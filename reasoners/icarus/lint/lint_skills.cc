@@ -57,6 +57,7 @@ const Clause* FirstAsked(const Skill& skill) {
 }
 
 std::uint32_t FirstCalled(const Skill& skill) {
+  if (!skill.is_whole) return kNoSkill;
   const Clause* clause = FirstAsked(skill);
   while (clause != nullptr && !clause->inner.empty()) clause = &clause->inner.front();
   return clause != nullptr && clause->kind == ClauseKind::kSkill ? clause->skill : kNoSkill;
@@ -115,7 +116,7 @@ bool PassesItsArguments(const Skill& skill, const Clause& call) {
 /// What a call came to once it comes to again within the cycle.
 void LintRecursion(const Program& program, std::uint32_t index, Reporter& reporter) {
   const Skill& skill = program.skills[index];
-  if (skill.type != SkillType::kPlan || FirstCalled(skill) == index) return;
+  if (skill.type != SkillType::kPlan || !skill.is_whole || FirstCalled(skill) == index) return;
   const std::vector<Clause>* const required = skill.slot(Slot::kRequires);
   const bool binds = required != nullptr &&
                      std::any_of(required->begin(), required->end(),
@@ -136,6 +137,7 @@ void LintRecursion(const Program& program, std::uint32_t index, Reporter& report
 bool AlwaysActs(const Program& program, std::uint32_t index) {
   for (std::size_t steps = 0; steps < program.skills.size(); ++steps) {
     const Skill& skill = program.skills[index];
+    if (!skill.is_whole) return false;
     if (skill.type == SkillType::kAction) return true;
     const bool unconditional = skill.type == SkillType::kPlan &&
                                skill.slot(Slot::kObjective) == nullptr &&
@@ -162,7 +164,7 @@ void LintMeans(const Program& program, const Skill& skill, Reporter& reporter) {
 
 void LintObjective(const Program& program, const Skill& skill, Reporter& reporter) {
   const std::vector<Clause>* objective = skill.slot(Slot::kObjective);
-  if (objective == nullptr || !objective->empty()) return;
+  if (objective == nullptr || !objective->empty() || !skill.is_whole) return;
   const FormId keyword = skill.slot_forms[static_cast<std::size_t>(Slot::kObjective)];
   if (program.source.at(program.source.at(keyword).next_sibling).first_child != kNoForm) return;
   reporter.Add(Code::kAlwaysTrue, keyword,

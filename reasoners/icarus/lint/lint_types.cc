@@ -28,6 +28,7 @@ class ParameterTypes {
   }
 
   ArgumentType Of(std::uint32_t skill, std::size_t parameter) const {
+    if (!program_.skills[skill].has_whole_head) return ArgumentType::kAny;
     return parameter < types_[skill].size() ? types_[skill][parameter] : ArgumentType::kAny;
   }
 

@@ -151,6 +151,7 @@ std::vector<bool> Needed(const Program& program, const Skill& skill) {
 }
 
 void LintSingles(const Program& program, const Skill& skill, Reporter& reporter) {
+  if (!skill.is_whole) return;
   const std::vector<bool> needed = Needed(program, skill);
   for (std::size_t i = 0; i < skill.variables.size(); ++i) {
     if (skill.occurrences[i] > 1 || skill.variables[i].starts_with("?_")) continue;

@@ -41,6 +41,30 @@ TEST(IcarusProgramTest, AnUnclosedForm_TheOthersAreCheckedWithoutFollowUps) {
             (List{"2:65 I015", "3:28 I017", "3:28 I021", "4:30 I011", "5:1 I001", "6:49 I021"}));
 }
 
+TEST(IcarusProgramTest, BrokenSkills_TheOthersAreCheckedWithoutFollowUps) {
+  constexpr std::string_view kOthers =
+      "(B () :means ((C 1 2)))\n(C (?x) :action ({go {< ?x}}))\n(D () :requires ((A 1) {f ?}))";
+  const auto with = [&](std::string_view broken) {
+    return Codes("(top (B))\n" + std::string(kOthers) + "\n" + std::string(broken));
+  };
+  const auto found = [](List more) {
+    List all{"2:15 I011", "3:22 I027", "4:27 I021"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  EXPECT_EQ(with("(A (?x) :mean ((C ?x)))"), found({"5:9 I006"}));
+  EXPECT_EQ(with("(A (?x) :means (C ?x))"), found({"5:17 I010", "5:19 I010"}));
+  EXPECT_EQ(with("(A (x) :means ((C ?x)))"), found({"5:5 I005"}));
+  EXPECT_EQ(with("(A (?x) :objective ({f ?x *Lost*}) :means ((A ?x)))"), found({"5:27 I012"}));
+  EXPECT_EQ(with("(A (?x) :means ((C ?x)))\n(A () :action ({go}))"), found({"6:2 I009"}));
+  EXPECT_EQ(with("(A (?x) :means ((C ?x)))\n(constant *K* ?y)\n(E () :requires ({< *K* 1}))"),
+            found({"6:15 I012"}));
+  EXPECT_EQ(with("(A (?x) :means ((C ?x)))\n(constant *K*)\n(E () :requires ({< *K* 1}))"),
+            found({"6:1 I012"}));
+  EXPECT_EQ(with("(A (?x) :means ((C ?x)))\n(facts (car {f}))\n(E () :requires ((lorry 1)))"),
+            found({"6:13 I013"}));
+}
+
 TEST(IcarusProgramTest, Clauses_AreResolvedInOrder) {
   const ProgramFile file = ReadProgram(
       "(facts (car c1) (c1 here 1))\n"
