@@ -108,7 +108,9 @@ std::optional<Term> ClauseBuilder::Constant(Term term) {
     const std::string hint = DidYouMean(logic::NearestName(name, keys));
     reporter_.Add(Code::kConstant, term.form,
                   "the constant " + std::string(tree_.Text(term.form)) + " is not defined",
-                  hint.empty() ? "define it: (constant " + name + " value)" : hint);
+                  hint.empty()
+                      ? "define it: (constant " + std::string(tree_.Text(term.form)) + " value)"
+                      : hint);
     return std::nullopt;
   }
   if (skill_ == nullptr && found->second == kCycleConstant) {

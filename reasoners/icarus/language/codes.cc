@@ -80,7 +80,9 @@ constexpr std::array<CodeInfo, 35> kCodes = {{
     {"I025", kWarning,
      "Memory is changed where a clause is only asked whether it holds. Changes belong into "
      ":sensor and :action."},
-    {"I026", kWarning, "The same name is spelt with different letters in upper and lower case."},
+    {"I026", kWarning,
+     "The same name, of a skill, a constant, a function, a variable, of facts or of a symbol, is "
+     "spelt with different letters in upper and lower case."},
     {"I027", kError, "The function takes another number of arguments, or others."},
     {"I028", kError, "The host offers no function of this name."},
     {"I029", kError,

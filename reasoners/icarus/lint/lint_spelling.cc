@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cstddef>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "reasoners/icarus/language/signature.h"
 #include "reasoners/icarus/language/walk.h"
 #include "reasoners/icarus/lint/lint.h"
 
@@ -34,6 +37,52 @@ class Spellings {
   std::map<std::string, FormId> reported_;
 };
 
+/// Compares the spellings of what facts begin with, and of the symbols within.
+class FactSpellings {
+ public:
+  FactSpellings(const SourceTree& tree, Reporter& reporter)
+      : heads_(tree, reporter), symbols_(tree, reporter) {}
+
+  /// A fact, or a pattern of facts.
+  void MeetFact(std::span<const Term> items) {
+    for (std::size_t i = 0; i < items.size(); ++i) Meet(items[i], i == 0);
+  }
+
+  void MeetClause(const Clause& clause) {
+    if (clause.kind == ClauseKind::kMatch) return MeetFact(clause.terms);
+    for (const Term& term : clause.terms) Meet(term, false);
+  }
+
+ private:
+  void Meet(const Term& term, bool is_head) {
+    if (term.kind == TermKind::kSymbol && term.form != kNoForm) {
+      (is_head ? heads_ : symbols_).Meet(term.form);
+    }
+    const Signature* const builtin =
+        term.kind == TermKind::kCall ? FindBuiltin(term.text) : nullptr;
+    for (const Term& item : term.items) {
+      if (builtin != nullptr && builtin->changes_memory) {
+        MeetFact(item.items);
+      } else {
+        Meet(item, false);
+      }
+    }
+  }
+
+  Spellings heads_;
+  Spellings symbols_;
+};
+
+void LintFactSpelling(const Program& program, Reporter& reporter) {
+  FactSpellings spellings(program.source, reporter);
+  for (const Term& fact : program.facts) spellings.MeetFact(fact.items);
+  const auto meet = [&](const Skill& skill) {
+    WalkClauses(skill, [&](const Clause& clause, Slot) { spellings.MeetClause(clause); });
+  };
+  WalkNameless(program, meet);
+  for (const Skill& skill : program.skills) meet(skill);
+}
+
 }  // namespace
 
 void LintSpelling(const Program& program, Reporter& reporter) {
@@ -50,6 +99,7 @@ void LintSpelling(const Program& program, Reporter& reporter) {
       if (clause.kind == ClauseKind::kSkill) skills.Meet(tree.at(clause.form).first_child);
     });
   });
+  LintFactSpelling(program, reporter);
   for (const Skill& skill : program.skills) {
     Spellings variables(tree, reporter);
     for (const FormId form : skill.variable_forms) variables.Meet(form);

@@ -252,6 +252,21 @@ TEST(IcarusProgramTest, ParameterTypes_ComeThroughCallsOfOtherSkills) {
   EXPECT_EQ(Codes("(top (A slow))\n(A (?x) :objective ({< ?x 1}))"), List{"1:9 I035"});
 }
 
+TEST(IcarusProgramTest, Facts_AreSpeltAlike) {
+  EXPECT_EQ(Codes("(facts (Driver c1 Anna))\n(A () :requires ((driver ? anna) (Driver c1 ?)))"),
+            (List{"2:19 I026", "2:28 I026"}));
+  EXPECT_EQ(Codes("(A () :sensor ({update (seen ?) (Seen 1)} {store (seen (Red))} {f red}))"),
+            (List{"1:34 I026", "1:67 I026"}));
+  EXPECT_EQ(Codes("(facts (car red))\n(A () :requires ((car Car)))"), List())
+      << "what facts begin with is no symbol";
+}
+
+TEST(IcarusFindingTest, UndefinedConstant_KeepsItsSpellingInTheHint) {
+  const ProgramFile file = ReadProgram("(A () :action ({go *Undefined*}))", "p.icarus");
+  ASSERT_EQ(file.findings.size(), 1U);
+  EXPECT_EQ(file.findings[0].diagnostic.hint, "define it: (constant *Undefined* value)");
+}
+
 TEST(IcarusProgramTest, Never_LeadsToSkillsAndMayStandManyTimes) {
   const ProgramFile file = ReadProgram(
       "(top (A))\n(A () :action ({go}))\n(never (B ?x) {< ?x 0})\n(never (B 1))\n"
