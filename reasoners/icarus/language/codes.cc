@@ -56,7 +56,10 @@ constexpr std::array<CodeInfo, 35> kCodes = {{
      "A variable that stands once in a skill binds nothing and tests nothing; mostly it is a slip. "
      "Write ? or begin its name with an underscore, ?_x, where it is meant."},
     {"I018", kWarning, "No skill that could be the top of the program leads to this one."},
-    {"I019", kWarning, "An empty :objective is True, so :requires and :means are never asked for."},
+    {"I019", kWarning,
+     "An empty :objective is True, so :requires and :means are never asked for. Nor are they where "
+     "the :objective is always True or acts: the call of an :action acts whenever it is asked, and "
+     "an objective that acts is not False."},
     {"I020", kWarning,
      "An act must have no unbound variables, or it is not offered and a fault is reported. Nothing "
      "before this clause binds the variable, or not each of the ways that lead here does: not all "

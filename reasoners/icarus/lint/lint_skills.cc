@@ -9,6 +9,7 @@
 #include "reasoners/icarus/language/walk.h"
 #include "reasoners/icarus/lint/lint.h"
 #include "reasoners/icarus/lint/program_tops.h"
+#include "reasoners/icarus/lint/sure_outcomes.h"
 
 namespace latchwork::icarus {
 
@@ -162,9 +163,24 @@ void LintMeans(const Program& program, const Skill& skill, Reporter& reporter) {
   }
 }
 
-void LintObjective(const Program& program, const Skill& skill, Reporter& reporter) {
+/// An objective with clauses that is never False leaves nothing to the rest of the plan.
+void LintNeverFalse(const SureOutcomes& sure, const Skill& skill, Reporter& reporter) {
+  const bool has_rest =
+      skill.slot(Slot::kRequires) != nullptr || skill.slot(Slot::kMeans) != nullptr;
+  if (!has_rest || !sure.ObjectiveIsNeverFalse(skill)) return;
+  const Slot rest = skill.slot(Slot::kMeans) != nullptr ? Slot::kMeans : Slot::kRequires;
+  reporter.Add(Code::kAlwaysTrue, skill.slot_forms[static_cast<std::size_t>(Slot::kObjective)],
+               "this :objective is always True or acts, so '" + skill.spelling +
+                   "' never comes to its " + std::string(KeywordOf(rest)),
+               "let the :objective say what is to be True, and put acts into :means");
+  reporter.Note(skill.slot_forms[static_cast<std::size_t>(rest)], "never asked for");
+}
+
+void LintObjective(const Program& program, const SureOutcomes& sure, const Skill& skill,
+                   Reporter& reporter) {
   const std::vector<Clause>* objective = skill.slot(Slot::kObjective);
-  if (objective == nullptr || !objective->empty() || !skill.is_whole) return;
+  if (objective == nullptr || !skill.is_whole) return;
+  if (!objective->empty()) return LintNeverFalse(sure, skill, reporter);
   const FormId keyword = skill.slot_forms[static_cast<std::size_t>(Slot::kObjective)];
   if (program.source.at(program.source.at(keyword).next_sibling).first_child != kNoForm) return;
   reporter.Add(Code::kAlwaysTrue, keyword,
@@ -176,8 +192,9 @@ void LintObjective(const Program& program, const Skill& skill, Reporter& reporte
 
 void LintSkills(const Program& program, const CheckOptions& options, Reporter& reporter) {
   const bool changes_memory = ChangesMemory(program);
+  const SureOutcomes sure(program);
   for (std::uint32_t i = 0; i < program.skills.size(); ++i) {
-    LintObjective(program, program.skills[i], reporter);
+    LintObjective(program, sure, program.skills[i], reporter);
     LintMeans(program, program.skills[i], reporter);
     if (!changes_memory) LintRecursion(program, i, reporter);
   }

@@ -267,6 +267,26 @@ TEST(IcarusFindingTest, UndefinedConstant_KeepsItsSpellingInTheHint) {
   EXPECT_EQ(file.findings[0].diagnostic.hint, "define it: (constant *Undefined* value)");
 }
 
+TEST(IcarusProgramTest, MeansBehindAnObjectiveThatIsNeverFalse_AreFound) {
+  const auto with = [](std::string_view objective, std::string_view more = "") {
+    return Codes("(A () :objective (" + std::string(objective) +
+                 ") :means ((Go)))\n(Go () :action ({go}))\n" + std::string(more));
+  };
+  const List found{"1:7 I019"};
+  EXPECT_EQ(with("(Go)"), found);
+  EXPECT_EQ(with("(Go) {f}"), found) << "the act of the first is an act of both";
+  EXPECT_EQ(with("{f} (Go)"), List());
+  EXPECT_EQ(with("(*not* (Go))"), found);
+  EXPECT_EQ(with("(*notA* (Go))"), List());
+  EXPECT_EQ(with("(P)", "(P () :objective ({f}) :means ((Go)))"), found) << "True, or acts";
+  EXPECT_EQ(with("(P)", "(P () :objective ({f}) :requires ({g}) :means ((Go)))"), List());
+  EXPECT_EQ(with("(P) {f}", "(P () :objective ({f}) :means ((Go)))"), List());
+  EXPECT_EQ(with("(S)", "(S () :sequence ((Go) (Go)))"), found);
+  EXPECT_EQ(with("(S)", "(S () :sequence ((Go) ({f})))").size(), 1U) << "that is a match";
+  EXPECT_EQ(Codes("(A () :objective ((Go)))\n(Go () :action ({go}))"), List());
+  EXPECT_EQ(Codes("(A () :objective ((Go)) :requires ({f}))\n(Go () :action ({go}))"), found);
+}
+
 TEST(IcarusProgramTest, Never_LeadsToSkillsAndMayStandManyTimes) {
   const ProgramFile file = ReadProgram(
       "(top (A))\n(A () :action ({go}))\n(never (B ?x) {< ?x 0})\n(never (B 1))\n"
