@@ -75,7 +75,8 @@ constexpr std::array<CodeInfo, 35> kCodes = {{
      "chosen."},
     {"I023", kWarning,
      "The first thing that the skill asks for is, directly or through others, the skill itself; or "
-     "it calls itself with its own arguments, where nothing has changed: it ends at the limit of "
+     "it calls itself, directly or through others, with its own arguments, where nothing has "
+     "changed: it ends at the limit of "
      "depth, with a fault."},
     {"I024", kWarning,
      "The state of a sequence is kept for the values of its parameters; nothing before this clause "

@@ -21,6 +21,9 @@ void LintVariables(const Program& program, const CheckOptions& options, Reporter
 /// Skills that are never reached, never act, hide others, or never end.
 void LintSkills(const Program& program, const CheckOptions& options, Reporter& reporter);
 
+/// Skills that call themselves with their own arguments, directly or through others.
+void LintRecursion(const Program& program, Reporter& reporter);
+
 /// Names spelt with different letters in upper and lower case.
 void LintSpelling(const Program& program, Reporter& reporter);
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "reasoners/icarus/language/signature.h"
 #include "reasoners/icarus/language/walk.h"
+#include "reasoners/icarus/lint/first_asked.h"
 #include "reasoners/icarus/lint/lint.h"
 #include "reasoners/icarus/lint/program_tops.h"
 #include "reasoners/icarus/lint/sure_outcomes.h"
@@ -42,28 +41,6 @@ void LintReach(const Program& program, const CheckOptions& options, Reporter& re
 
 bool IsEmpty(const std::vector<Clause>* clauses) { return clauses == nullptr || clauses->empty(); }
 
-/// The clause that is asked first whenever the skill is called; null when there is none.
-const Clause* FirstAsked(const Skill& skill) {
-  if (skill.type == SkillType::kSequence) {
-    const std::vector<Clause>* steps = skill.slot(Slot::kSequence);
-    return IsEmpty(steps) ? nullptr : &steps->front();
-  }
-  if (skill.type != SkillType::kPlan) return nullptr;
-  for (const Slot slot : {Slot::kObjective, Slot::kRequires, Slot::kMeans}) {
-    const std::vector<Clause>* clauses = skill.slot(slot);
-    if (clauses != nullptr && !clauses->empty()) return &clauses->front();
-    if (slot == Slot::kObjective && clauses != nullptr) return nullptr;
-  }
-  return nullptr;
-}
-
-std::uint32_t FirstCalled(const Skill& skill) {
-  if (!skill.is_whole) return kNoSkill;
-  const Clause* clause = FirstAsked(skill);
-  while (clause != nullptr && !clause->inner.empty()) clause = &clause->inner.front();
-  return clause != nullptr && clause->kind == ClauseKind::kSkill ? clause->skill : kNoSkill;
-}
-
 /// Each skill asks one other first, at most: a walk that meets its own track is a cycle.
 void LintEndless(const Program& program, Reporter& reporter) {
   std::vector<std::size_t> track(program.skills.size(), 0);
@@ -77,60 +54,6 @@ void LintEndless(const Program& program, Reporter& reporter) {
     reporter.Add(Code::kEndless, program.skills[at].name_form,
                  "the skill '" + program.skills[at].spelling + "' calls itself before all else",
                  "begin with an :objective or a condition that ends the recursion");
-  }
-}
-
-/// Whether clauses change memory, and with it what the same call comes to.
-bool ChangesMemory(const Program& program) {
-  bool changes = false;
-  for (const Skill& skill : program.skills) {
-    if (skill.type == SkillType::kAction) continue;
-    WalkTerms(skill, [&](const Term& term, Slot) {
-      if (term.kind != TermKind::kCall) return;
-      const Signature* const builtin = FindBuiltin(term.text);
-      changes = changes || (builtin != nullptr && builtin->changes_memory);
-    });
-  }
-  return changes;
-}
-
-/// Whether a clause may bind a parameter.
-bool MayBind(const Skill& skill, const Clause& clause) {
-  bool may = false;
-  for (const Term& term : clause.terms) {
-    WalkTerm(term, [&](const Term& part) {
-      may = may || (part.kind == TermKind::kVariable && part.index < skill.parameters);
-    });
-  }
-  return may && clause.kind != ClauseKind::kCall;
-}
-
-/// Whether the arguments are the parameters.
-bool PassesItsArguments(const Skill& skill, const Clause& call) {
-  bool same = call.terms.size() == skill.parameters;
-  for (std::size_t i = 0; same && i < call.terms.size(); ++i) {
-    same = call.terms[i].kind == TermKind::kVariable && call.terms[i].index == i;
-  }
-  return same;
-}
-
-/// What a call came to once it comes to again within the cycle.
-void LintRecursion(const Program& program, std::uint32_t index, Reporter& reporter) {
-  const Skill& skill = program.skills[index];
-  if (skill.type != SkillType::kPlan || !skill.is_whole || FirstCalled(skill) == index) return;
-  const std::vector<Clause>* const required = skill.slot(Slot::kRequires);
-  const bool binds = required != nullptr &&
-                     std::any_of(required->begin(), required->end(),
-                                 [&](const Clause& clause) { return MayBind(skill, clause); });
-  if (skill.slot(Slot::kMeans) == nullptr || binds) return;
-  for (const Clause& clause : *skill.slot(Slot::kMeans)) {
-    if (clause.kind != ClauseKind::kSkill || clause.skill != index ||
-        !PassesItsArguments(skill, clause)) {
-      continue;
-    }
-    reporter.Add(Code::kEndless, clause.form,
-                 "the skill '" + skill.spelling + "' calls itself with its own arguments",
-                 "pass it something that comes nearer to the end of the recursion");
   }
 }
 
@@ -191,14 +114,13 @@ void LintObjective(const Program& program, const SureOutcomes& sure, const Skill
 }  // namespace
 
 void LintSkills(const Program& program, const CheckOptions& options, Reporter& reporter) {
-  const bool changes_memory = ChangesMemory(program);
   const SureOutcomes sure(program);
   for (std::uint32_t i = 0; i < program.skills.size(); ++i) {
     LintObjective(program, sure, program.skills[i], reporter);
     LintMeans(program, program.skills[i], reporter);
-    if (!changes_memory) LintRecursion(program, i, reporter);
   }
   LintEndless(program, reporter);
+  LintRecursion(program, reporter);
   LintReach(program, options, reporter);
 }
 

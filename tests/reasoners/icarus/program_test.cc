@@ -287,6 +287,23 @@ TEST(IcarusProgramTest, MeansBehindAnObjectiveThatIsNeverFalse_AreFound) {
   EXPECT_EQ(Codes("(A () :objective ((Go)) :requires ({f}))\n(Go () :action ({go}))"), found);
 }
 
+TEST(IcarusProgramTest, RecursionWithTheSameArguments_IsFound) {
+  constexpr std::string_view kA = "(A (?x ?y) :objective ({f ?x ?y}) :means ((B ?x ?y)))\n";
+  const auto with = [&](std::string_view b) { return Codes(std::string(kA) + std::string(b)); };
+  const List found{"1:43 I023"};
+  EXPECT_EQ(with("(B (?x ?y) :objective ({g ?x ?y}) :means ((A ?x ?y)))"), found);
+  EXPECT_EQ(with("(B (?u ?v) :requires ({g ?u ?v} (A ?u ?v)))"), found);
+  EXPECT_EQ(with("(B (?u ?v) :sequence ({g ?u ?v} (A ?u ?v)))"), found);
+  EXPECT_EQ(with("(B (?x ?y) :objective ({g ?x ?y}) :means ((A ?y ?x)))"), List());
+  EXPECT_EQ(with("(B (?x ?y) :requires ((car ?x) {g ?y}) :means ((A ?x ?y)))"), List());
+  EXPECT_EQ(with("(B (?x ?y) :requires ((next ?x ?z) {g ?y}) :means ((A ?z ?y)))"), List());
+  EXPECT_EQ(with("(B (?x ?y) :requires ({f ?x ?y}) :means ((A ?x ?y)))"), List())
+      << "A asks B only where {f} is False";
+  EXPECT_EQ(with("(B (?x ?y) :requires ((*not* {f ?x ?y})) :means ((A ?x ?y)))"), found);
+  EXPECT_EQ(Codes("(A (?x) :sequence ({f ?x} (A ?x)))"), List{"1:27 I023"});
+  EXPECT_EQ(Codes("(A (?x) :sequence ({f ?x} (A 1)))"), List());
+}
+
 TEST(IcarusProgramTest, Never_LeadsToSkillsAndMayStandManyTimes) {
   const ProgramFile file = ReadProgram(
       "(top (A))\n(A () :action ({go}))\n(never (B ?x) {< ?x 0})\n(never (B 1))\n"
