@@ -51,7 +51,8 @@ constexpr std::array<CodeInfo, 35> kCodes = {{
     {"I016", kWarning,
      "No skill has this name, so the clause asks short-term memory for a fact; but no fact of the "
      "program begins so, and nothing in it stores one. Of a program with a top, whose facts a "
-     "layer may bring, it is not said."},
+     "layer may bring, and of one without facts, whose script may bring them, it is only said of "
+     "means that are named like the skills, with a capital: a match never acts."},
     {"I017", kWarning,
      "A variable that stands once in a skill binds nothing and tests nothing; mostly it is a slip. "
      "Write ? or begin its name with an underscore, ?_x, where it is meant."},

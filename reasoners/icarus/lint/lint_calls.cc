@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -52,9 +53,9 @@ class CallLint {
   }
 
   void Check(const Skill& skill) {
-    WalkClauses(skill, [&](const Clause& clause, Slot) {
+    WalkClauses(skill, [&](const Clause& clause, Slot slot) {
       if (clause.kind == ClauseKind::kSkill) CheckArity(clause);
-      if (clause.kind == ClauseKind::kMatch) CheckMatch(clause);
+      if (clause.kind == ClauseKind::kMatch) CheckMatch(clause, slot);
     });
     WalkTerms(skill, [&](const Term& term, Slot slot) {
       if (term.kind == TermKind::kCall) CheckCall(term, slot);
@@ -87,7 +88,25 @@ class CallLint {
     return plan ? "write ? for what is of no interest" : "give all of them a value";
   }
 
-  void CheckMatch(const Clause& clause) {
+  /// Whether skills have names with capitals, and this is one.
+  bool IsNamedLikeSkills(std::string_view name) const {
+    const auto is_capital = [](std::string_view each) {
+      return !each.empty() && each[0] >= 'A' && each[0] <= 'Z';
+    };
+    return is_capital(name) &&
+           std::all_of(program_.skills.begin(), program_.skills.end(),
+                       [&](const Skill& skill) { return is_capital(skill.spelling); });
+  }
+
+  /// Facts may come from a layer where there is a top, and from a script where no fact is shown.
+  /// Among means, where a match never acts, that is no excuse for what is named like a skill.
+  bool MayComeFromElsewhere(std::string_view name, Slot slot) const {
+    if (heads_.open) return true;
+    if (slot == Slot::kMeans && options_.facts.empty() && IsNamedLikeSkills(name)) return false;
+    return program_.facts.empty() || program_.top;
+  }
+
+  void CheckMatch(const Clause& clause, Slot slot) {
     const Term& head = clause.terms.front();
     if (head.kind != TermKind::kSymbol || heads_.names.contains(head.text)) return;
     const std::string_view nearest = Nearest(head.text);
@@ -98,9 +117,11 @@ class CallLint {
       reporter_.Add(Code::kMisspeltSkill, clause.form,
                     "there is no skill '" + name + "', so this asks memory for a fact",
                     "did you mean '" + meant + "'?");
-    } else if (!program_.facts.empty() && !program_.top && !heads_.open) {
+    } else if (!MayComeFromElsewhere(name, slot)) {
+      const bool means = slot == Slot::kMeans;
       reporter_.Add(Code::kUnknownFact, clause.form,
-                    "there is no skill '" + name + "', and no fact begins with it",
+                    "there is no skill '" + name + "', and no fact begins with it" +
+                        (means ? ", so this never acts" : ""),
                     "define the skill, or declare the fact: (facts (" + name + " ...))");
     }
   }

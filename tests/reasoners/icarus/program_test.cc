@@ -163,6 +163,24 @@ TEST(IcarusProgramTest, NameNearASkill_IsASlipInItsWordsAndItsStyle) {
   EXPECT_EQ(codes("hour", "Pour"), List());
 }
 
+TEST(IcarusProgramTest, MeansNamedLikeASkill_AreNoFactsFromElsewhere) {
+  constexpr std::string_view kGo = "(Go () :action ({go}))\n";
+  const auto with = [&](std::string_view rest) {
+    return Codes(std::string(kGo) + std::string(rest));
+  };
+  const List found{"2:15 I016"};
+  EXPECT_EQ(with("(A () :means ((GoForwrdNow) (Go)))"), found);
+  EXPECT_EQ(with("(A () :means ((GoForwrdNow) (Go)))\n(top (A))"), found);
+  EXPECT_EQ(with("(A () :means ((at home) (Go)))\n(top (A))"), List());
+  EXPECT_EQ(with("(A () :requires ((Arrived)) :means ((Go)))\n(top (A))"), List());
+  EXPECT_EQ(with("(A () :means ((Arrived) (go_on)))\n(go_on () :action ({go}))"), List());
+  EXPECT_EQ(with("(A () :means ((Arrived) (Go)))\n(N () :sensor ({store (Arrived)}))"), List());
+  CheckOptions options;
+  options.facts = {"arrived"};
+  EXPECT_EQ(Codes("(top (A))\n(A () :means ((Arrived) (Go)))\n" + std::string(kGo), options),
+            List());
+}
+
 TEST(IcarusProgramTest, FactsFromElsewhere_AreNoSlips) {
   constexpr std::string_view kText =
       "(A () :requires ((hour ?)) :means ((pour)))\n"
