@@ -11,7 +11,7 @@ constexpr Severity kError = Severity::kError;
 constexpr Severity kWarning = Severity::kWarning;
 
 /// In the order of Code. A name, once published, keeps its meaning.
-constexpr std::array<CodeInfo, 35> kCodes = {{
+constexpr std::array<CodeInfo, 36> kCodes = {{
     {"I001", kError,
      "A bracket is missing, superfluous or of the wrong kind. Lists stand in ( ), calls of host "
      "functions in { }."},
@@ -119,6 +119,11 @@ constexpr std::array<CodeInfo, 35> kCodes = {{
      "which "
      "values it may have: {<} compares numbers, {member} looks into a list. A value of another "
      "type makes those clauses False, with a fault."},
+    {"I036", kWarning,
+     "A call of an :action comes to an act and is never True, so what stands behind it is never "
+     "asked: the next steps of a sequence, the clauses after it, the means. A step is a skill "
+     "whose "
+     ":objective tells when it is done, and whose :means is the act."},
 }};
 
 }  // namespace

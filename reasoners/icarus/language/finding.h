@@ -52,6 +52,7 @@ enum class Code : std::uint8_t {
   kReactivePlan,
   kValues,
   kParameterType,
+  kActIsNotTrue,
 };
 
 enum class Severity : std::uint8_t { kError, kWarning };

@@ -111,6 +111,25 @@ void LintObjective(const Program& program, const SureOutcomes& sure, const Skill
                "take it out: without one the objective is False");
 }
 
+/// A call of an :action before which more is to come.
+void LintActs(const Program& program, const Skill& skill, Slot slot, bool more_behind,
+              Reporter& reporter) {
+  const std::vector<Clause>* const clauses = skill.slot(slot);
+  if (clauses == nullptr) return;
+  for (std::size_t i = 0; i < clauses->size(); ++i) {
+    const Clause& clause = (*clauses)[i];
+    const bool acts = clause.kind == ClauseKind::kSkill &&
+                      program.skills[clause.skill].type == SkillType::kAction;
+    if (!acts || (i + 1 == clauses->size() && !more_behind)) continue;
+    reporter.Add(
+        Code::kActIsNotTrue, clause.form,
+        "an act is never True, so what stands behind this call is never asked",
+        "call a skill whose :objective tells when it is done, and whose :means is the act");
+    reporter.Note(program.skills[clause.skill].name_form, "an :action");
+    return;
+  }
+}
+
 }  // namespace
 
 void LintSkills(const Program& program, const CheckOptions& options, Reporter& reporter) {
@@ -118,6 +137,12 @@ void LintSkills(const Program& program, const CheckOptions& options, Reporter& r
   for (std::uint32_t i = 0; i < program.skills.size(); ++i) {
     LintObjective(program, sure, program.skills[i], reporter);
     LintMeans(program, program.skills[i], reporter);
+    const Skill& skill = program.skills[i];
+    if (!sure.ObjectiveIsNeverFalse(skill)) {
+      LintActs(program, skill, Slot::kObjective, false, reporter);
+    }
+    LintActs(program, skill, Slot::kRequires, !IsEmpty(skill.slot(Slot::kMeans)), reporter);
+    LintActs(program, skill, Slot::kSequence, false, reporter);
   }
   LintEndless(program, reporter);
   LintRecursion(program, reporter);

@@ -236,6 +236,17 @@ p.icarus:2:5: note: for this parameter
   2 | (B (?x) :objective ({< ?x 2}))
     |     ^
 )"},
+    {"I036", R"((A () :sequence ((B) (C)))
+(B () :action ({b}))
+(C () :action ({c})))",
+     R"(p.icarus:1:18: warning[I036]: an act is never True, so what stands behind this call is never asked
+  1 | (A () :sequence ((B) (C)))
+    |                  ^
+  hint: call a skill whose :objective tells when it is done, and whose :means is the act
+p.icarus:2:2: note: an :action
+  2 | (B () :action ({b}))
+    |  ^
+)"},
 };
 
 TEST(IcarusGoldenTest, EachCode_ReadsAsItShould) {
