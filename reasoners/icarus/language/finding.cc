@@ -16,13 +16,27 @@ bool Waives(std::string_view comment, std::string_view code) {
   return Fold(comment).find(Fold(code)) != std::string::npos;
 }
 
+/// Whether the comment stands within the form of the top level, or behind its end, that holds the
+/// place: where the formatter may have moved it.
+bool StandInOneForm(const SourceTree& tree, const Comment& comment,
+                    const logic::SourcePlace& place) {
+  return std::any_of(tree.roots.begin(), tree.roots.end(), [&](FormId root) {
+    const Form& form = tree.at(root);
+    const logic::SourcePlace begin = tree.PlaceAt(form.line, 1);
+    return begin.file == place.file && begin.line <= place.line &&
+           place.line <= begin.line + (form.end_line - form.line) && form.line <= comment.line &&
+           comment.line <= form.end_line;
+  });
+}
+
 bool IsWaived(const SourceTree& tree, const Finding& finding) {
   if (finding.severity == Severity::kError) return false;
   return std::any_of(tree.comments.begin(), tree.comments.end(), [&](const Comment& comment) {
     const logic::SourcePlace at = tree.PlaceAt(comment.line, 1);
     const logic::SourcePlace& place = finding.diagnostic.place;
-    return at.file == place.file && (at.line == place.line || at.line + 1 == place.line) &&
-           Waives(tree.Text(comment), Info(finding.code).name);
+    const bool near = at.file == place.file && at.line + 1 == place.line;
+    return Waives(tree.Text(comment), Info(finding.code).name) &&
+           (near || StandInOneForm(tree, comment, place));
   });
 }
 

@@ -108,8 +108,8 @@ class Reporter {
 /// they are in the file.
 void MoveTo(const logic::SourcePlace& place, Findings& findings);
 
-/// Takes out the warnings that a comment `; allow I023 …` on their line or the line before waives,
-/// and puts the rest in the order of their places.
+/// Takes out the warnings that a comment `; allow I023 …` in their form of the top level, or on the
+/// line before theirs, waives, and puts the rest in the order of their places.
 void Settle(const SourceTree& tree, Findings& findings);
 
 }  // namespace latchwork::icarus

@@ -384,9 +384,15 @@ TEST(IcarusProgramTest, Strict_MakesFewArgumentsAnError) {
             "[I014] 'B' has 1 parameter, but is called with 0");
 }
 
-TEST(IcarusProgramTest, Waiver_SilencesWarningsOfItsLineAndTheNext) {
+TEST(IcarusProgramTest, Waiver_SilencesWarningsOfItsFormAndOfTheNextLine) {
   EXPECT_EQ(Codes("(A () :requires ((car ?c))) ; allow I017"), List());
   EXPECT_EQ(Codes("; allow I016 i017\n(A () :requires ((car ?c)))"), List());
+  EXPECT_EQ(
+      Codes(
+          "(A ()\n  :requires ((car ?c))\n  :means    ((B)))  ; allow I017\n(B () :action ({b}))"),
+      List());
+  EXPECT_EQ(Codes("(B () :action ({b})) ; allow I017\n\n(A () :requires ((car ?c)) :means ((B)))"),
+            List{"3:23 I017"});
   EXPECT_EQ(Codes("; allow I016\n(A () :requires ((car ?c)))"), List{"2:23 I017"});
   EXPECT_EQ(Codes("(A ()) ; allow I008"), List{"1:2 I008"});
 }
