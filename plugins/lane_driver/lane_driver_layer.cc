@@ -77,8 +77,8 @@ std::vector<ParameterSpec> MakeParameters() {
        .default_value = "fastest",
        .unit = {},
        .help = "a slow car ahead: take the fastest lane, or the first of left, right, stay behind "
-               "(free: the means among which a reasoner may learn to choose)",
-       .choices = {"fastest", "free"}},
+               "(free: the means among which a reasoner may learn to choose), or never pass it",
+       .choices = {"fastest", "free", "never"}},
   };
 }
 
