@@ -102,8 +102,9 @@ class Builder {
     if (children.size() != 3 || tree_.kind(children[1]) != FormKind::kConstant) {
       reporter_.Add(Code::kConstant, root, "a constant has a name in stars and a value",
                     "write (constant *NAME* value)");
-      if (children.size() > 1 && tree_.kind(children[1]) == FormKind::kConstant)
+      if (children.size() > 1 && tree_.kind(children[1]) == FormKind::kConstant) {
         AddLost(children[1]);
+      }
       return;
     }
     clauses_.Begin(nullptr, Code::kConstant);
