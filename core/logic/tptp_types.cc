@@ -332,17 +332,15 @@ class TypeKeeper {
       return IsIndividual(TypeAt(place));
     });
     if (equated && (integers || reals)) KeepIndividuals();
-    for (const auto& [place, condition] : conditions_) Mark(place.first);
-    for (const std::size_t index : marked_) {
+    std::set<std::size_t> conditioned;
+    for (const auto& [place, condition] : conditions_) conditioned.insert(place.first);
+    for (const std::size_t index : conditioned) {
       index_ = index;
       file_.formulas[index].formula = WithConditions(formula().formula);
     }
   }
 
   Type TypeAt(const Place& place) const { return variables_.at(place.first)[place.second]; }
-  void Mark(std::size_t formula) {
-    if (marked_.empty() || marked_.back() != formula) marked_.push_back(formula);
-  }
 
   void KeepIndividuals() {
     individual_ = symbols_.Intern("is an individual");
@@ -444,7 +442,6 @@ class TypeKeeper {
   std::set<Place> equated_;
   Symbol individual_;
   std::map<Place, Symbol> conditions_;
-  std::vector<std::size_t> marked_;  ///< Formulas that get conditions.
 };
 
 }  // namespace

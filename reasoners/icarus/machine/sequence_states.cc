@@ -48,8 +48,8 @@ std::size_t SequenceStates::Find(std::uint32_t skill, std::span<const Value> par
   return table_[at] - 1;
 }
 
-SequenceStates::State& SequenceStates::Make(std::uint32_t skill, std::span<const Value> parameters,
-                                            std::uint64_t hash) {
+void SequenceStates::Make(std::uint32_t skill, std::span<const Value> parameters,
+                          std::uint64_t hash) {
   if (free_.empty()) free_.push_back(std::make_unique<State>());
   State& state = *states_.emplace_back(std::move(free_.back()));
   free_.pop_back();
@@ -60,7 +60,6 @@ SequenceStates::State& SequenceStates::Make(std::uint32_t skill, std::span<const
   state.changed = true;
   state.key.assign(parameters.begin(), parameters.end());
   state.environment.clear();
-  return state;
 }
 
 void SequenceStates::Index() {

@@ -46,7 +46,7 @@ class SequenceStates {
 
  private:
   static void Keep(State& state);
-  State& Make(std::uint32_t skill, std::span<const Value> parameters, std::uint64_t hash);
+  void Make(std::uint32_t skill, std::span<const Value> parameters, std::uint64_t hash);
   void Index();
   bool WasCalled(std::uint32_t skill, std::uint64_t cycle) const {
     return skill < called_.size() && called_[skill] == cycle;
