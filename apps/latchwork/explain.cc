@@ -142,11 +142,15 @@ class Interview : public schedule::RunObserver {
       return Say(fmt::format(
           "layer {}: not all reasons were found within the budget of a decision\n", layer.name));
     }
-    std::string_view remedy = "pttp and circumscription do, where a layer has a theory for them";
+    std::string remedy = "pttp and circumscription do, where a layer has a theory for them";
     if (layer.language == "tptp") {
       remedy = R"(for the same theory <reasoner plugin="circumscription"/> or "pttp" does)";
     } else if (layer.language == "icarus") {
-      remedy = "for its program 'latchwork icarus run' has `why` and `why-not`";
+      remedy = fmt::format(
+          "'latchwork icarus record --layer {}' writes its cycles down for 'latchwork icarus "
+          "repl', "
+          "which answers why and why-not",
+          layer.name);
     }
     Say(fmt::format("layer {}: reasoner {} does not keep all reasons; {}\n", layer.name, plugin,
                     remedy));

@@ -41,6 +41,7 @@ void AddIcarus(CLI::App& app, Context& context) {
   AddIcarusTrace(*command, context);
   AddIcarusRepl(*command, context);
   AddIcarusLearn(*command, context);
+  AddIcarusRecord(*command, context);
   AddIcarusRecognise(*command, context);
   AddIcarusTranslate(*command, context);
 }

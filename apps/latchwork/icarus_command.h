@@ -18,6 +18,7 @@ void AddIcarusRun(CLI::App& icarus, Context& context);
 void AddIcarusTrace(CLI::App& icarus, Context& context);
 void AddIcarusRepl(CLI::App& icarus, Context& context);
 void AddIcarusLearn(CLI::App& icarus, Context& context);
+void AddIcarusRecord(CLI::App& icarus, Context& context);
 void AddIcarusRecognise(CLI::App& icarus, Context& context);
 void AddIcarusTranslate(CLI::App& icarus, Context& context);
 

@@ -31,29 +31,6 @@ sdk::Body BodyOf(const sdk::Layer& layer, const sdk::Parameters& parameters,
   return body;
 }
 
-/// Why this layer cannot learn; an empty message: it can.
-logic::Diagnostic WrongLearner(const std::string& agent,
-                               const std::vector<config::LayerDescription>& layers,
-                               const std::string& wanted) {
-  std::vector<std::string> names;
-  for (const config::LayerDescription& layer : layers) {
-    if (layer.name == wanted && layer.language == kLanguage) return {};
-    if (layer.name == wanted) {
-      return {layer.place,
-              fmt::format("layer '{}' is driven by {}, but only icarus learns", wanted,
-                          layer.reasoner.plugin),
-              "give it <reasoner plugin=\"icarus\"/>, or name another layer", ""};
-    }
-    names.push_back(layer.name);
-  }
-  const std::string_view nearest = logic::NearestName(wanted, names);
-  return {{agent, 0, 0},
-          fmt::format("there is no layer '{}'", wanted),
-          nearest.empty() ? fmt::format("its layers: {}", fmt::join(names, ", "))
-                          : fmt::format("did you mean '{}'?", nearest),
-          ""};
-}
-
 }  // namespace
 
 LayerToFulfil::LayerToFulfil(std::string name, std::shared_ptr<sdk::Layer> layer,
@@ -75,6 +52,27 @@ NamedLayer::NamedLayer(const std::string& plugin, const Context& context)
                  registry_.DataFolder(sdk::PluginKind::kLayer, plugin), symbols_);
 }
 
+logic::Diagnostic WrongIcarusLayer(const config::AgentDescription& agent, const std::string& wanted,
+                                   std::string_view does) {
+  std::vector<std::string> names;
+  for (const config::LayerDescription& layer : agent.layers) {
+    if (layer.name == wanted && layer.language == kLanguage) return {};
+    if (layer.name == wanted) {
+      return {layer.place,
+              fmt::format("layer '{}' is driven by {}, but only icarus {}", wanted,
+                          layer.reasoner.plugin, does),
+              "give it <reasoner plugin=\"icarus\"/>, or name another layer", ""};
+    }
+    names.push_back(layer.name);
+  }
+  const std::string_view nearest = logic::NearestName(wanted, names);
+  return {{agent.file.string(), 0, 0},
+          fmt::format("there is no layer '{}'", wanted),
+          nearest.empty() ? fmt::format("its layers: {}", fmt::join(names, ", "))
+                          : fmt::format("did you mean '{}'?", nearest),
+          ""};
+}
+
 int CheckIcarusLayer(const std::filesystem::path& agent, const std::string& layer,
                      const Context& context) {
   const plugin::Registry registry(
@@ -83,7 +81,7 @@ int CheckIcarusLayer(const std::filesystem::path& agent, const std::string& laye
   config::AgentFile file =
       config::ReadAgentFile(agent, schedule::MakeCatalog(registry), {}, symbols);
   if (file.agent) {
-    logic::Diagnostic wrong = WrongLearner(agent.string(), file.agent->layers, layer);
+    logic::Diagnostic wrong = WrongIcarusLayer(*file.agent, layer, "learns");
     if (!wrong.message.empty()) file.diagnostics.push_back(std::move(wrong));
   }
   if (file.diagnostics.empty()) return kDone;

@@ -7,9 +7,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/latchwork/command.h"
+#include "latchwork/config/agent.h"
 #include "latchwork/logic/diagnostic.h"
 #include "latchwork/logic/symbol.h"
 #include "latchwork/plugin/registry.h"
@@ -79,6 +81,11 @@ class ProgramsOfAgent {
   logic::Diagnostics diagnostics_;
   bool plugin_failure_ = false;
 };
+
+/// What is wrong with naming this layer for something that only the reasoner icarus `does`; an
+/// empty message: nothing.
+logic::Diagnostic WrongIcarusLayer(const config::AgentDescription& agent, const std::string& wanted,
+                                   std::string_view does);
 
 /// Whether the agent has this layer and the reasoner icarus drives it: kDone, or an exit code with
 /// messages on standard error.

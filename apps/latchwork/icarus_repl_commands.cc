@@ -78,7 +78,7 @@ std::string UnknownSkill(const std::string& name, const icarus::Program& program
 }  // namespace
 
 std::span<const IcarusRepl::Command> IcarusRepl::Commands() {
-  static constexpr std::array<Command, 17> kCommands = {{
+  static constexpr std::array<Command, 19> kCommands = {{
       {"step", "step [N]", "run the next cycle, or N", &IcarusRepl::StepCommand},
       {"run", "run [N]", "run to the end of the script, or N cycles, or to a break",
        &IcarusRepl::RunCommand},
@@ -86,7 +86,9 @@ std::span<const IcarusRepl::Command> IcarusRepl::Commands() {
        "stop after a cycle that calls the skill, chooses the act or gets the fact; or list",
        &IcarusRepl::BreakCommand},
       {"break", "break in SKILL",
-       "stop within a cycle, where the skill is called; then: next, continue, finish, where",
+       "stop within a cycle, where the skill is called; then: next, out, continue, finish, where",
+       &IcarusRepl::BreakCommand},
+      {"break", "break false SKILL", "stop within a cycle, where the skill has come to False",
        &IcarusRepl::BreakCommand},
       {"delete", "delete [N]", "delete break N, or all", &IcarusRepl::DeleteCommand},
       {"watch", "watch [(F ..) | off]", "tell which facts come and go; or list, or end it",
@@ -99,6 +101,8 @@ std::span<const IcarusRepl::Command> IcarusRepl::Commands() {
        &IcarusRepl::UpdateCommand},
       {"answer", "answer {F ..} VALUE", "what a sensor answers from now on; nil is False",
        &IcarusRepl::AnswerCommand},
+      {"fail", "fail {F ..} \"MESSAGE\"", "a sensor fails from now on, until it is answered",
+       &IcarusRepl::FailCommand},
       {"top", "top [(SKILL ..)]", "the top call, or another one", &IcarusRepl::TopCommand},
       {"why", "why", "how the last act came about", &IcarusRepl::WhyCommand},
       {"why-not", "why-not SKILL [ARGUMENT ..]", "what became of the skill in the last cycle",
@@ -122,7 +126,8 @@ bool IcarusRepl::Do(std::string_view line, std::string& out) {
     (this->*command.act)(rest, out);
     return !ends_;
   }
-  if (word == "continue" || word == "next" || word == "finish" || word == "where") {
+  if (word == "continue" || word == "next" || word == "out" || word == "finish" ||
+      word == "where") {
     out += fmt::format("'{}' is for a break within a cycle; 'break in SKILL' makes one\n", word);
     return true;
   }
@@ -216,6 +221,7 @@ bool IcarusRepl::IsMet(const Breakpoint& point) const {
       });
     }
     case Stop::kInside:
+    case Stop::kFalse:
       return false;
     case Stop::kFact:
       break;
@@ -257,13 +263,14 @@ void IcarusRepl::BreakCommand(const std::string& rest, std::string& out) {
   } else if (word == "fact" && !pattern.empty()) {
     AddBreakpoint(Stop::kFact, pattern, rest, out);
   } else {
-    const bool inside = word == "in" && !pattern.empty();
+    const bool inside = (word == "in" || word == "false") && !pattern.empty();
     const std::string& name = inside ? pattern : rest;
+    const Stop within = word == "in" ? Stop::kInside : Stop::kFalse;
     const std::uint32_t skill = debugger_.program().Find(name);
     if (skill == icarus::kNoSkill) {
       out += UnknownSkill(name, debugger_.program());
     } else {
-      breakpoints_.push_back({inside ? Stop::kInside : Stop::kSkill, skill, std::nullopt, rest});
+      breakpoints_.push_back({inside ? within : Stop::kSkill, skill, std::nullopt, rest});
     }
   }
 }
@@ -337,6 +344,9 @@ void IcarusRepl::UpdateCommand(const std::string& rest, std::string& out) {
 void IcarusRepl::AnswerCommand(const std::string& rest, std::string& out) {
   Change("answer", rest, out);
 }
+void IcarusRepl::FailCommand(const std::string& rest, std::string& out) {
+  Change("fail", rest, out);
+}
 
 void IcarusRepl::TopCommand(const std::string& rest, std::string& out) {
   const std::vector<std::string> words = CallWords(rest);
@@ -408,9 +418,9 @@ void IcarusRepl::ReloadCommand(const std::string& /*rest*/, std::string& out) {
     return;
   }
   std::erase_if(breakpoints_, [this](Breakpoint& point) {
-    if (point.stop != Stop::kSkill && point.stop != Stop::kInside) return false;
-    const bool inside = point.stop == Stop::kInside;
-    point.skill = debugger_.program().Find(inside ? FirstWord(point.text).second : point.text);
+    if (point.pattern || point.skill == icarus::kNoSkill) return false;
+    const bool is_called = point.stop == Stop::kSkill;
+    point.skill = debugger_.program().Find(is_called ? point.text : FirstWord(point.text).second);
     return point.skill == icarus::kNoSkill;
   });
   out += fmt::format("{} skills\n", debugger_.program().skills.size());

@@ -37,7 +37,7 @@ class IcarusRepl {
     std::string_view help;
     void (IcarusRepl::*act)(const std::string& rest, std::string& out);
   };
-  enum class Stop { kSkill, kInside, kAct, kFact };
+  enum class Stop { kSkill, kInside, kFalse, kAct, kFact };
   struct Breakpoint {
     Stop stop = Stop::kSkill;
     std::uint32_t skill = icarus::kNoSkill;
@@ -61,6 +61,7 @@ class IcarusRepl {
   void ForgetCommand(const std::string& rest, std::string& out);
   void UpdateCommand(const std::string& rest, std::string& out);
   void AnswerCommand(const std::string& rest, std::string& out);
+  void FailCommand(const std::string& rest, std::string& out);
   void TopCommand(const std::string& rest, std::string& out);
   void WhyCommand(const std::string& rest, std::string& out);
   void WhyNotCommand(const std::string& rest, std::string& out);
@@ -70,8 +71,9 @@ class IcarusRepl {
 
   // icarus_repl_pause.cc
   void OnEvent(const icarus::TraceEntry& entry);
+  bool PausesAt(const icarus::TraceEntry& entry) const;
   void Pause(const icarus::TraceEntry& entry);
-  bool DoInside(const std::string& line);
+  bool DoInside(const std::string& line, const icarus::TraceEntry& entry);
   void TellCallers(const icarus::TraceEntry& entry);
 
   /// One cycle; the breakpoint that it meets.
@@ -91,9 +93,10 @@ class IcarusRepl {
   std::vector<Watch> watches_;
   std::set<std::string> before_;  ///< Facts before the last cycle.
   bool traces_ = false;
-  std::string inside_;     ///< What a cycle under way has answered.
-  bool follows_ = false;   ///< Pauses at every event.
-  bool released_ = false;  ///< Does not pause any more in this cycle.
+  std::string inside_;        ///< What a cycle under way has answered.
+  bool follows_ = false;      ///< Pauses at every event.
+  std::uint32_t out_of_ = 0;  ///< Pauses when this call, a number of an event, has ended; 0: none.
+  bool released_ = false;     ///< Does not pause any more in this cycle.
   bool ends_ = false;
 };
 

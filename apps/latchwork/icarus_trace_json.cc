@@ -52,9 +52,7 @@ class ScriptWriter {
     if (kind == "cycle") {
       Cycle(line);
     } else if (kind == "host" && open_) {
-      const std::string answer =
-          line.at("answer").is_null() ? "nil" : line.at("answer").get<std::string>();
-      script_ += " (answer " + line.at("call").get<std::string>() + ' ' + answer + ')';
+      Answer(line);
     } else if (kind == "result" && open_ && with_acts_ && !line.at("acts").empty()) {
       script_ += " (expect";
       for (const Json& act : line.at("acts")) script_ += ' ' + act.get<std::string>();
@@ -84,6 +82,16 @@ class ScriptWriter {
     } else if (line.at("top") != top_) {
       top_ = line.at("top");
       Item("top", top_);
+    }
+  }
+
+  void Answer(const Json& line) {
+    const std::string call = line.at("call").get<std::string>();
+    const Json& answer = line.at("answer");
+    if (line.contains("text")) {
+      script_ += ' ' + icarus::FailureItem(call, line.at("text").get<std::string>());
+    } else {
+      Item("answer", call + ' ' + (answer.is_null() ? "nil" : answer.get<std::string>()));
     }
   }
 

@@ -103,6 +103,7 @@ void IcarusReasoner::Adopt(Loaded loaded, std::size_t first_fact) {
   loaded_ = std::move(loaded);
   host_->Serve(*loaded_.interpreter, loaded_.file->program);
   learning_->Serve(loaded_.file->program, names_, *loaded_.interpreter);
+  loaded_.interpreter->SetSink(watch_);
   stopped_.clear();
   conclusions_ = 0;
   last_ = nullptr;
@@ -189,7 +190,9 @@ void IcarusReasoner::Decide(std::span<const sdk::Latch> latches, const sdk::Budg
   limits_.cancelled = budget.cancelled;
   limits_.deadline = budget.deadline;
   learning_->Before(latches);
+  if (watch_ != nullptr) watch_->OnBegin(loaded_.interpreter->memory());
   const CycleResult& result = loaded_.interpreter->Cycle(loaded_.top, limits_);
+  if (watch_ != nullptr) watch_->OnEnd(result, loaded_.interpreter->memory());
   learning_->After(result);
   limits_.cancelled = nullptr;
   limits_.deadline.reset();
@@ -315,6 +318,11 @@ sdk::Derivation IcarusReasoner::Explain(std::size_t conclusion) {
                           logic::ToString(facts_[conclusion]));
   loaded_.interpreter->Replay(loaded_.top, limits_, explanation);
   return explanation.Take();
+}
+
+void IcarusReasoner::SetWatch(CycleWatch* watch) {
+  watch_ = watch;
+  loaded_.interpreter->SetSink(watch);
 }
 
 void IcarusReasoner::Admit(std::span<const sdk::Latch> latches, std::size_t port,

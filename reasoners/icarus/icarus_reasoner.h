@@ -12,6 +12,7 @@
 #include "latchwork/sdk/reasoner.h"
 #include "reasoners/icarus/body/admission.h"
 #include "reasoners/icarus/body/attachment_host.h"
+#include "reasoners/icarus/body/cycle_watch.h"
 #include "reasoners/icarus/body/latch_facts.h"
 #include "reasoners/icarus/body/term_bridge.h"
 #include "reasoners/icarus/language/program_text.h"
@@ -49,6 +50,11 @@ class IcarusReasoner final : public sdk::Reasoner {
   /// Goes through the cycle again, in a copy of memory as it is now: where the program changed what
   /// the act rests on after it was found, the derivation is empty.
   sdk::Derivation Explain(std::size_t conclusion) override;
+
+  /// Who is told of the cycles to come; null: nobody. Call it after Load.
+  void SetWatch(CycleWatch* watch);
+  const NamePool& names() const { return names_; }
+  const Program& program() const { return loaded_.file->program; }
 
  private:
   /// A program and what runs it.
@@ -94,6 +100,7 @@ class IcarusReasoner final : public sdk::Reasoner {
   std::string problem_;  ///< The first thing that went wrong outside of the program.
   std::string stopped_;  ///< The fault that stopped the program for good.
   const CycleResult* last_ = nullptr;
+  CycleWatch* watch_ = nullptr;
   std::unique_ptr<LayerLearning> learning_;  ///< Refers to what is above it.
 };
 

@@ -74,8 +74,8 @@ TEST(ExplainCommandTest, ReasonerWithoutReasons_NamesOneThatHasThem) {
   const CommandResult result = Explain({"--tick", "40", "--layer", "avoid", "--why-not",
                                         "halt_robot", "--scenario", "examples/office/icarus.xml"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("layer avoid: reasoner icarus does not keep all reasons; for "
-                                    "its program 'latchwork icarus run' has `why`"));
+  EXPECT_THAT(result.out, HasSubstr("layer avoid: reasoner icarus does not keep all reasons; "
+                                    "'latchwork icarus record --layer avoid' writes"));
 }
 
 TEST(ExplainCommandTest, ReasonerOfTheoriesWithoutReasons_SaysWhatToChange) {

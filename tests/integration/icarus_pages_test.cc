@@ -3,6 +3,9 @@
 // The examples of the pages on Icarus come to what the pages print.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <string>
+
 #include "tests/integration/page_examples.h"
 #include "tests/temporary_folder.h"
 
@@ -11,6 +14,10 @@ namespace {
 
 TEST(IcarusPagesTest, Reference_ExamplesComeToWhatIsPrinted) {
   const test::TemporaryFolder scratch;
+  for (const char* const folder : {"examples", "plugins"}) {
+    std::filesystem::create_directory_symlink(std::string(LATCHWORK_SOURCE_DIR "/") + folder,
+                                              scratch.path() / folder);
+  }
   CheckPage("icarus.md", "icarus", scratch.path(), 5);
 }
 

@@ -142,25 +142,62 @@ TEST_F(Session, BreakIn_WaitsWithinTheCycle) {
   const std::string out = Repl(
       "break in Go\nbreak in Goo\nbreak\nstep 2\nwhere\nmemory (car ?)\nstore (a)\nnext\n"
       "continue\nfinish\ndelete\nstep\nmemory\nwhere\n");
-  EXPECT_EQ(out,
-            "there is no skill 'Goo'; did you mean 'Go'?\n"
-            "1: in Go\n"
-            "break in cycle 1:\n"
-            "2:19        (Go c1)\n"
-            "(Go c1)  [2:19]\n"
-            "(Ram c1)  [1:38]\n"
-            "(Top)\n"
-            "(car c1)\n"
-            "a cycle is under way: continue (to the next break), next (event), finish (the cycle), "
-            "where, memory [(F ..)], trace, quit\n"
-            "2:19          act {go c1}\n"
-            "1: start {go c1}\n"
-            "break in cycle 2:\n"
-            "2:19        (Go c1)\n"
-            "2: continue {go c1}\n"
-            "3: continue {go c1}\n"
-            "(car c1)\n"
-            "'where' is for a break within a cycle; 'break in SKILL' makes one\n");
+  EXPECT_EQ(
+      out,
+      "there is no skill 'Goo'; did you mean 'Go'?\n"
+      "1: in Go\n"
+      "break in cycle 1:\n"
+      "2:19        (Go c1)\n"
+      "(Go c1)  [2:19]\n"
+      "(Ram c1)  [1:38]\n"
+      "(Top)\n"
+      "(car c1)\n"
+      "a cycle is under way: continue (to the next break), next (event), out (of this skill), "
+      "finish (the cycle), where, memory [(F ..)], trace, quit\n"
+      "2:19          act {go c1}\n"
+      "1: start {go c1}\n"
+      "break in cycle 2:\n"
+      "2:19        (Go c1)\n"
+      "2: continue {go c1}\n"
+      "3: continue {go c1}\n"
+      "(car c1)\n"
+      "'where' is for a break within a cycle; 'break in SKILL' makes one\n");
+}
+
+TEST_F(Session, Out_GoesOnToTheEndOfTheSkill) {
+  Write("o.icarus",
+        "(top (Top))\n(Top () :requires ((Near) (*not* (Far))) :means ((Go)))\n"
+        "(Near () :objective ({close} {quiet}))\n(Far () :objective ({far}))\n"
+        "(Go () :action ({go}))\n");
+  Write("commands",
+        "answer {close} t\nanswer {quiet} t\nbreak in Near\nbreak in Far\nstep\nnext\nout\n"
+        "continue\nout\ncontinue\nout\n");
+  const CommandResult result = Run("latchwork icarus repl o.icarus < commands");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out,
+            "break in cycle 1:\n2:20      (Near)\n3:22        {close} = t\n"
+            "2:20      (Near) True\nbreak in cycle 1:\n2:34      (Far)\n"
+            "2:34      (Far) False\n1: start {go}\n"
+            "'out' is for a break within a cycle; 'break in SKILL' makes one\n");
+}
+
+TEST_F(Session, BreakFalse_WaitsWhereTheSkillFails) {
+  EXPECT_EQ(Repl("break false Ram\nbreak false Raam\nbreak\nstep\ntop (Ram ?)\nstep\nwhere\n"
+                 "finish\nreload\nbreak\n"),
+            "there is no skill 'Raam'; did you mean 'Ram'?\n1: false Ram\n1: start {go c1}\n"
+            "break in cycle 2:\n        (Ram ?) False\n(Ram ?)\n2: stop {go c1} False\n"
+            "p.icarus:3:19: fault in cycle 2: an argument of the call has an unbound variable\n"
+            "  in Go < Ram\n3 skills\n1: false Ram\n");
+}
+
+TEST_F(Session, Fail_LetsASensorFailUntilItIsAnswered) {
+  Write("t.icarus", "(top (See))\n(See () :objective ({eye 1}))\n");
+  Write("commands", "fail {eye ?} \"it is dark\"\nstep\nanswer {eye 1} t\nstep\nfail {eye} 3\n");
+  const CommandResult result = Run("latchwork icarus repl t.icarus < commands");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out,
+            "1: False\nt.icarus:2:21: fault in cycle 1: {eye}: it is dark\n  in See\n2: True\n"
+            "this is no item of a cycle\n");
 }
 
 TEST_F(Session, QuitOrEndOfInputWithinACycle_EndsTheSession) {

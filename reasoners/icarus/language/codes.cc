@@ -92,8 +92,9 @@ constexpr std::array<CodeInfo, 36> kCodes = {{
     {"I028", kError, "The host offers no function of this name."},
     {"I029", kError,
      "A script of a world holds (top (Skill argument ...)), (functions name ...) and "
-     "(cycle item ...), whose items are (answer {function argument ...} value), (store fact), "
-     "(forget pattern), (update pattern fact), (top call), (idle), (repeat n) and (expect {act} "
+     "(cycle item ...), whose items are (answer {function argument ...} value), (fail {function "
+     "argument ...} \"message\"), (store fact), (forget pattern), (update pattern fact), (top "
+     "call), (idle), (repeat n) and (expect {act} "
      "... true|false|fault)."},
     {"I030", kError,
      "A program may name the call that every cycle begins with, once: (top (Skill argument "

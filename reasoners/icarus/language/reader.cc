@@ -171,12 +171,13 @@ bool IsText(const SourceTree& tree, Findings& findings) {
 
 }  // namespace
 
-SourceTree ReadForms(std::string text, std::string file, Findings& findings) {
+SourceTree ReadForms(std::string text, std::string file, Findings& findings, std::size_t most) {
   SourceTree tree;
   tree.file = std::move(file);
-  if (text.size() > kMaxProgramBytes) {
+  if (text.size() > most) {
     Reporter(tree, findings)
-        .AddAt(Code::kToken, 0, 0, 0, "the file is larger than a program may be (16 MiB)");
+        .AddAt(Code::kToken, 0, 0, 0,
+               "the file is larger than it may be (" + std::to_string(most >> 20U) + " MiB)");
     return tree;
   }
   tree.text = std::move(text);

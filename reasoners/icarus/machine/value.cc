@@ -24,15 +24,6 @@ void AppendNumber(std::string& text, Number number) {
   }
 }
 
-void AppendString(std::string& text, std::string_view string) {
-  text += '"';
-  for (const char c : string) {
-    if (c == '"' || c == '\\') text += '\\';
-    text += c;
-  }
-  text += '"';
-}
-
 void Append(std::string& text, const Value& value, const NamePool& names) {
   switch (value.kind) {
     case ValueKind::kNone:
@@ -48,7 +39,7 @@ void Append(std::string& text, const Value& value, const NamePool& names) {
       text += names.Name(value.name);
       break;
     case ValueKind::kString:
-      AppendString(text, names.Name(value.name));
+      text += Quoted(names.Name(value.name));
       break;
     case ValueKind::kList:
       text += '(';
@@ -118,6 +109,15 @@ bool Fits(const Value& pattern, const Value& value) {
   const auto left = pattern.list->items();
   const auto right = value.list->items();
   return std::equal(left.begin(), left.end(), right.begin(), right.end(), Fits);
+}
+
+std::string Quoted(std::string_view string) {
+  std::string text = "\"";
+  for (const char c : string) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text + '"';
 }
 
 std::string ToString(const Value& value, const NamePool& names) {

@@ -100,6 +100,8 @@ inline std::uint64_t Hash(const Value& value) {
   if (value.kind == ValueKind::kList) return value.list->hash;
   return MixHash(static_cast<std::uint64_t>(value.kind), value.bits() ^ value.name);
 }
+/// In double quotes.
+std::string Quoted(std::string_view string);
 /// As the reader would read it back.
 std::string ToString(const Value& value, const NamePool& names);
 

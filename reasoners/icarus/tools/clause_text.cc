@@ -40,4 +40,11 @@ std::string ClauseText(const SourceTree& source, FormId form, const VariableValu
   return text;
 }
 
+std::string CallText(std::string_view function, std::span<const Value> arguments,
+                     const NamePool& names) {
+  std::string text = "{" + std::string(function);
+  for (const Value& argument : arguments) text += ' ' + ToString(argument, names);
+  return text + '}';
+}
+
 }  // namespace latchwork::icarus

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "reasoners/icarus/language/source_tree.h"
 #include "reasoners/icarus/machine/value.h"
@@ -20,6 +21,10 @@ struct VariableValues {
 /// A form as it is written, on one line, with its variables replaced by what they are bound to.
 std::string ClauseText(const SourceTree& source, FormId form, const VariableValues& variables,
                        const NamePool& names);
+
+/// {function argument ...}
+std::string CallText(std::string_view function, std::span<const Value> arguments,
+                     const NamePool& names);
 
 }  // namespace latchwork::icarus
 

@@ -14,13 +14,6 @@ namespace {
 constexpr std::size_t kPlaceWidth = 8;
 constexpr std::size_t kMostIndent = 60;
 
-std::string CallText(std::string_view function, std::span<const Value> arguments,
-                     const NamePool& names) {
-  std::string text = "{" + std::string(function);
-  for (const Value& argument : arguments) text += ' ' + ToString(argument, names);
-  return text + '}';
-}
-
 std::string_view Truth(const TraceEntry& entry) {
   if (entry.truth) return " True";
   return entry.acted ? " acts" : " False";

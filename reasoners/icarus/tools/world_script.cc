@@ -2,9 +2,12 @@
 #include "reasoners/icarus/tools/world_script.h"
 
 #include <algorithm>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "reasoners/icarus/language/reader.h"
+#include "reasoners/icarus/tools/clause_text.h"
 
 namespace latchwork::icarus {
 
@@ -93,6 +96,7 @@ class ScriptReader {
     if (head == "expect") return AddExpectation(cycle, parts);
     if (head == "idle" && parts.size() == 1) return cycle.idle = true;
     if (head == "answer" && parts.size() == 3) return AddAnswer(cycle, parts);
+    if (head == "fail" && parts.size() == 3) return AddFailure(cycle, parts);
     if (head == "update" && parts.size() == 3) return AddUpdate(cycle, parts);
     if (parts.size() != 2) return false;
     const FormKind kind = tree_.kind(parts[1]);
@@ -113,13 +117,31 @@ class ScriptReader {
   }
 
   bool AddAnswer(ScriptCycle& cycle, const std::vector<FormId>& parts) {
-    const FormId call = parts[1];
-    if (tree_.kind(call) != FormKind::kCall || tree_.at(call).first_child == kNoForm ||
-        !IsGround(parts[2])) {
-      return false;
-    }
+    if (!IsCall(parts[1]) || !IsGround(parts[2])) return false;
+    std::optional<ScriptAnswer> answer = CallOf(parts[1]);
+    if (!answer) return true;
+    if (tree_.Folded(parts[2]) != "nil") answer->answer = MakeValue(parts[2]);
+    cycle.answers.push_back(*std::move(answer));
+    return true;
+  }
+
+  bool AddFailure(ScriptCycle& cycle, const std::vector<FormId>& parts) {
+    if (!IsCall(parts[1]) || tree_.kind(parts[2]) != FormKind::kString) return false;
+    std::optional<ScriptAnswer> answer = CallOf(parts[1]);
+    if (!answer) return true;
+    answer->failure = tree_.Unquoted(parts[2]);
+    cycle.answers.push_back(*std::move(answer));
+    return true;
+  }
+
+  bool IsCall(FormId form) const {
+    return tree_.kind(form) == FormKind::kCall && tree_.at(form).first_child != kNoForm;
+  }
+
+  /// Nothing where it is no function of a world, which is reported.
+  std::optional<ScriptAnswer> CallOf(FormId call) {
     const std::vector<FormId> words = tree_.Children(call);
-    if (!IsName(words[0])) return true;
+    if (!IsName(words[0])) return std::nullopt;
     ScriptAnswer answer;
     answer.function = Function(tree_.Folded(words[0]), words.size() - 1);
     const Signature& known = script_.functions[answer.function];
@@ -127,9 +149,7 @@ class ScriptReader {
       Complain(call, "other answers of the script take another number of arguments");
     }
     for (std::size_t i = 1; i < words.size(); ++i) answer.arguments.push_back(MakeValue(words[i]));
-    if (tree_.Folded(parts[2]) != "nil") answer.answer = MakeValue(parts[2]);
-    cycle.answers.push_back(std::move(answer));
-    return true;
+    return answer;
   }
 
   bool AddUpdate(ScriptCycle& cycle, const std::vector<FormId>& parts) {
@@ -210,7 +230,7 @@ WorldScript ReadScript(std::string text, std::string file, NamePool& names, Find
 
 void ExtendScript(std::string text, std::string file, NamePool& names, WorldScript& script,
                   Findings& findings) {
-  const SourceTree tree = ReadForms(std::move(text), std::move(file), findings);
+  const SourceTree tree = ReadForms(std::move(text), std::move(file), findings, kMaxScriptBytes);
   ScriptReader(tree, names, findings, script).Read();
 }
 
@@ -222,35 +242,31 @@ std::string ScriptedWorld::Remedy(std::string_view function) const {
 
 Value ScriptedWorld::Call(std::size_t function, std::span<const Value> arguments, Arena& /*arena*/,
                           NamePool& /*names*/) {
-  const auto last =
-      std::find_if(answers_.rbegin(), answers_.rend(), [&](const ScriptAnswer* answer) {
-        const std::vector<Value>& patterns = answer->arguments;
-        return answer->function == function && std::equal(patterns.begin(), patterns.end(),
-                                                          arguments.begin(), arguments.end(), Fits);
-      });
-  return last == answers_.rend() ? Value() : (*last)->answer;
+  const ScriptAnswer* const answer = answers_.Find(function, arguments);
+  if (answer == nullptr) return {};
+  if (answer->failure) throw std::runtime_error(*answer->failure);
+  return answer->answer;
 }
 
 void ScriptedWorld::Begin(const ScriptCycle& cycle, FactStore& memory) {
-  for (const ScriptAnswer& answer : cycle.answers) {
-    std::erase_if(answers_, [&](const ScriptAnswer* old) {
-      return old->function == answer.function &&
-             std::equal(old->arguments.begin(), old->arguments.end(), answer.arguments.begin(),
-                        answer.arguments.end(), Equal);
-    });
-    answers_.push_back(&answer);
-  }
+  for (const ScriptAnswer& answer : cycle.answers) answers_.Set(answer);
   for (const Value& pattern : cycle.forgotten) memory.Forget(pattern);
   for (const auto& [pattern, fact] : cycle.updated) memory.Update(pattern, fact);
   for (const Value& fact : cycle.stored) memory.Store(fact);
 }
 
+std::string FailureItem(const std::string& call, std::string message) {
+  // A string ends on its line.
+  std::replace_if(
+      message.begin(), message.end(),
+      [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, ' ');
+  return "(fail " + call + ' ' + Quoted(message) + ')';
+}
+
 std::string ToString(const Act& act, const NamePool& names) {
   std::string text;
   for (const ActCall& call : act.calls) {
-    text += '{' + std::string(names.Name(call.function));
-    for (const Value& argument : call.arguments) text += ' ' + ToString(argument, names);
-    text += '}';
+    text += CallText(names.Name(call.function), call.arguments, names);
   }
   return text;
 }

@@ -16,15 +16,9 @@
 #include "reasoners/icarus/machine/host.h"
 #include "reasoners/icarus/machine/interpreter.h"
 #include "reasoners/icarus/machine/value.h"
+#include "reasoners/icarus/tools/answer_table.h"
 
 namespace latchwork::icarus {
-
-/// What the world answers from a cycle on. An argument that is none stands for anything.
-struct ScriptAnswer {
-  std::size_t function = 0;
-  std::vector<Value> arguments;
-  Value answer;
-};
 
 /// One `(cycle ...)` of a script.
 struct ScriptCycle {
@@ -60,8 +54,8 @@ WorldScript ReadScript(std::string text, std::string file, NamePool& names, Find
 void ExtendScript(std::string text, std::string file, NamePool& names, WorldScript& script,
                   Findings& findings);
 
-/// The host that a script describes. Answers stay until another for the same call replaces them;
-/// what is not answered is False.
+/// The host that a script describes. Answers, and failures, stay until another answer for the same
+/// call replaces them; what is not answered is False.
 class ScriptedWorld : public Host {
  public:
   explicit ScriptedWorld(const WorldScript& script) : script_(script) {}
@@ -76,11 +70,13 @@ class ScriptedWorld : public Host {
 
  private:
   const WorldScript& script_;
-  std::vector<const ScriptAnswer*> answers_;
+  AnswerTable answers_;
 };
 
 /// `{pedal 100}`, or several calls one after the other.
 std::string ToString(const Act& act, const NamePool& names);
+/// The item of a script that lets a call, {function argument ...}, fail.
+std::string FailureItem(const std::string& call, std::string message);
 /// What a cycle came to, in the words of `expected`.
 std::vector<std::string> Outcome(const CycleResult& result, const NamePool& names);
 /// Whether a word of it is an act, of one call or several.

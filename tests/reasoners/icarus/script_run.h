@@ -38,6 +38,7 @@ class ScriptRun {
   }
 
   Interpreter& interpreter() { return *interpreter_; }
+  const NamePool& names() const { return names_; }
   const std::vector<std::uint64_t>& clauses() const { return clauses_; }
   const std::vector<std::string>& faults() const { return faults_; }
   std::string Memory() const {
