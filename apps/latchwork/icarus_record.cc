@@ -92,8 +92,9 @@ std::string OptionsText(const IcarusSettings& settings) {
   if (settings.faults != "false") text += " --faults " + settings.faults;
   if (options.restart) text += " --restart";
   if (settings.full) text += " --full";
-  if (options.max_depth != usual.max_depth)
+  if (options.max_depth != usual.max_depth) {
     text += fmt::format(" --max-depth {}", options.max_depth);
+  }
   if (options.max_clauses != usual.max_clauses) {
     text += fmt::format(" --max-clauses {}", options.max_clauses);
   }

@@ -86,7 +86,7 @@ class ScriptWriter {
   }
 
   void Answer(const Json& line) {
-    const std::string call = line.at("call").get<std::string>();
+    const auto call = line.at("call").get<std::string>();
     const Json& answer = line.at("answer");
     if (line.contains("text")) {
       script_ += ' ' + icarus::FailureItem(call, line.at("text").get<std::string>());

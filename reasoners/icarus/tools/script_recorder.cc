@@ -169,8 +169,9 @@ void ScriptRecorder::OnEvent(const Event& event) {
 
 void ScriptRecorder::OnEnd(const CycleResult& result, const FactStore& memory) {
   std::string words;
-  for (const std::string& word : Outcome(result, names_))
+  for (const std::string& word : Outcome(result, names_)) {
     words += (words.empty() ? "" : " ") + word;
+  }
   Add(Item("expect", words));
   text_ += ')';
   facts_ = FactsOf(memory);
