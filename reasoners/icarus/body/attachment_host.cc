@@ -85,10 +85,13 @@ AttachmentHost::AttachmentHost(const sdk::Body& body, TermBridge& bridge)
     : body_(body), bridge_(bridge) {
   for (const auto& attachment : body.attachments) {
     std::vector<ArgumentType> types;
+    std::vector<ArgumentType> answers;
     for (const auto& argument : attachment->signature().arguments) {
-      if (argument.mode == sdk::Attachment::Mode::kIn) types.push_back(TypeOf(argument.spec.type));
+      const bool is_input = argument.mode == sdk::Attachment::Mode::kIn;
+      (is_input ? types : answers).push_back(TypeOf(argument.spec.type));
     }
     functions_.push_back(Declare(attachment->signature().predicate, std::move(types)));
+    functions_.back().answers = types_.emplace_back(std::move(answers));
   }
   for (const sdk::PortSpec& port : body.contract.outputs) {
     for (const auto& predicate : port.predicates) {

@@ -17,6 +17,30 @@ std::string Wanted(const Signature& signature) {
   return std::to_string(signature.least) + " to " + Count(signature.most, "argument");
 }
 
+/// Of all that it answers.
+ArgumentType AnswerType(const Signature& signature) {
+  if (!signature.answers) return ArgumentType::kAny;
+  if (signature.answers->empty()) return ArgumentType::kSymbol;
+  return signature.answers->size() == 1 ? signature.answers->front() : ArgumentType::kList;
+}
+
+/// Whether no value of the one type is of the other.
+bool Excludes(ArgumentType given, ArgumentType wanted) {
+  const auto is_number = [](ArgumentType type) {
+    return type == ArgumentType::kInteger || type == ArgumentType::kNumber;
+  };
+  if (given == ArgumentType::kAny || wanted == ArgumentType::kAny) return false;
+  return given != wanted && !(is_number(given) && is_number(wanted));
+}
+
+std::string Answers(const Term& call, const Signature& signature) {
+  const std::string name = "{" + call.text + "} answers ";
+  if (signature.answers->size() > 1) {
+    return name + "a list of " + std::to_string(signature.answers->size());
+  }
+  return name + (signature.answers->empty() ? "t" : std::string(NameOf(AnswerType(signature))));
+}
+
 }  // namespace
 
 bool Offends(const Program& program, const Term& term, ArgumentType type) {
@@ -63,6 +87,38 @@ void CheckArguments(const Program& program, const Term& call, const Signature& s
     if (!Offends(program, call.items[i], type)) continue;
     reporter.Add(Code::kFunctionArguments, call.items[i].form,
                  "{" + call.text + "} takes " + std::string(NameOf(type)) + " here");
+  }
+}
+
+void CheckNested(const Term& call, const Signature& signature, std::span<const Signature> functions,
+                 Reporter& reporter) {
+  for (std::size_t i = 0; i < call.items.size(); ++i) {
+    const Term& inner = call.items[i];
+    if (inner.kind != TermKind::kCall || FindBuiltin(inner.text) != nullptr) continue;
+    const Signature* const asked = FindSignature(functions, inner.text, inner.items.size());
+    if (asked == nullptr || !Excludes(AnswerType(*asked), signature.TypeOf(i))) continue;
+    reporter.Add(Code::kFunctionArguments, inner.form,
+                 "{" + call.text + "} takes " + std::string(NameOf(signature.TypeOf(i))) +
+                     " here, but " + Answers(inner, *asked));
+  }
+}
+
+void CheckTarget(const Program& program, const Term& target, const Term& call,
+                 const Signature& signature, Reporter& reporter) {
+  if (!signature.answers || target.kind != TermKind::kList) return;
+  const std::span<const ArgumentType> answers = *signature.answers;
+  const bool is_value = answers.size() < 2;
+  if (is_value ? Excludes(AnswerType(signature), ArgumentType::kList)
+               : answers.size() != target.items.size()) {
+    reporter.Add(Code::kFunctionArguments, target.form,
+                 Answers(call, signature) + ", and here is a list of " +
+                     std::to_string(target.items.size()));
+    return;
+  }
+  for (std::size_t i = 0; !is_value && i < answers.size(); ++i) {
+    if (!Offends(program, target.items[i], answers[i])) continue;
+    reporter.Add(Code::kFunctionArguments, target.items[i].form,
+                 "{" + call.text + "} answers " + std::string(NameOf(answers[i])) + " here");
   }
 }
 

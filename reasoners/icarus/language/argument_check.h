@@ -24,6 +24,15 @@ bool Offends(const Program& program, const Term& term, ArgumentType type);
 void CheckArguments(const Program& program, const Term& call, const Signature& signature,
                     Reporter& reporter);
 
+/// Reports an argument of a call of this signature that calls one of the functions, whose answers
+/// are never of the type.
+void CheckNested(const Term& call, const Signature& signature, std::span<const Signature> functions,
+                 Reporter& reporter);
+
+/// Reports a target of bind that the answer of a call, a function of this signature, never fits.
+void CheckTarget(const Program& program, const Term& target, const Term& call,
+                 const Signature& signature, Reporter& reporter);
+
 /// Reports a match form for facts of this signature that can never succeed.
 void CheckPattern(const Program& program, const Clause& match, const Signature& signature,
                   Reporter& reporter);

@@ -88,7 +88,8 @@ constexpr std::array<CodeInfo, 36> kCodes = {{
     {"I026", kWarning,
      "The same name, of a skill, a constant, a function, a variable, of facts or of a symbol, is "
      "spelt with different letters in upper and lower case."},
-    {"I027", kError, "The function takes another number of arguments, or others."},
+    {"I027", kError,
+     "The function takes another number of arguments, or others; or what it answers does not fit."},
     {"I028", kError, "The host offers no function of this name."},
     {"I029", kError,
      "A script of a world holds (top (Skill argument ...)), (functions name ...) and "

@@ -154,6 +154,12 @@ Token Lexer::String() {
 Token Lexer::Atom() {
   std::size_t end = position_;
   while (end < text_.size() && !EndsAtom(text_[end])) ++end;
+  const std::size_t mark = text_.substr(position_, end - position_).find(kByteOrderMark);
+  if (mark == 0) {
+    return Bad(kByteOrderMark.size(), "a byte order mark may stand at the beginning of a file only",
+               "take it out; most editors do not show it");
+  }
+  if (mark != std::string_view::npos) end = position_ + mark;
   if (end - position_ > kLongestAtom) return TooLong(end - position_);
   Token token = Take(Token::Kind::kAtom, end - position_);
   Classify(token);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,8 @@ struct Signature {
   ArgumentType type = ArgumentType::kAny;  ///< Of every argument.
   bool changes_memory = false;
   std::span<const ArgumentType> types = {};  ///< Of each argument, where they differ.
+  /// Of each value that it answers, several being a list and none being t; nothing: not known.
+  std::optional<std::span<const ArgumentType>> answers = {};
 
   ArgumentType TypeOf(std::size_t argument) const {
     return argument < types.size() ? types[argument] : type;

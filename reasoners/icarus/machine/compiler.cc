@@ -182,6 +182,7 @@ class Compiler {
     if (target.kind == TermKind::kVariable) {
       Emit({Op::kBind, target.index, AddTerm(clause.terms[1]), 0, clause.form});
     } else {
+      CheckBind(target, clause.terms[1]);
       const std::uint32_t pattern = AddTerm(target);
       Emit({Op::kTakeApart, pattern, AddTerm(clause.terms[1]), 0, clause.form});
     }
@@ -311,6 +312,8 @@ class Compiler {
       const auto which = static_cast<Builtin>(made.function);
       const bool changes = which == Builtin::kForget || which == Builtin::kUpdate;
       made.kind = changes ? CallCode::Kind::kChange : CallCode::Kind::kBuiltin;
+      Reporter reporter(Source(), findings_);
+      CheckNested(term, *builtin, host_.functions(), reporter);
       return;
     }
     const auto functions = host_.functions();
@@ -337,6 +340,14 @@ class Compiler {
   void Check(const Term& term, const Signature& signature) {
     Reporter reporter(Source(), findings_);
     CheckArguments(program_, term, signature, reporter);
+    CheckNested(term, signature, host_.functions(), reporter);
+  }
+
+  void CheckBind(const Term& target, const Term& call) {
+    if (call.kind != TermKind::kCall || FindBuiltin(call.text) != nullptr) return;
+    const Signature* const found = FindSignature(host_.functions(), call.text, call.items.size());
+    Reporter reporter(Source(), findings_);
+    if (found != nullptr) CheckTarget(program_, target, call, *found, reporter);
   }
 
   void CheckMatch(const Clause& clause) {

@@ -62,6 +62,23 @@ TEST(IcarusLoadTest, ChecksCallsAgainstAttachments) {
               HasSubstr("did you mean {halves}?"));
 }
 
+TEST(IcarusLoadTest, ChecksWhatAttachmentsAnswer) {
+  EXPECT_THAT(
+      Complaints("(top (Go))\n(Go () :objective ((bind (?a ? ?) {halves 7}) {= ?a 3}))"),
+      HasSubstr("2:26: error: [I027] {halves} answers a list of 2, and here is a list of 3"));
+  EXPECT_THAT(Complaints("(top (Go))\n(Go () :objective ((bind (? one) {halves 7})))"),
+              HasSubstr("2:29: error: [I027] {halves} answers an integer here"));
+  EXPECT_THAT(
+      Complaints("(top (Go))\n(Go () :objective ({< {halves 7} 3}))"),
+      HasSubstr("2:23: error: [I027] {<} takes a number here, but {halves} answers a list"));
+  EXPECT_THAT(
+      Complaints("(top (Go))\n(Go () :objective ((bind ?x {halves {halves 7}}) (seen a ?x)))"),
+      HasSubstr("2:37: error: [I027] {halves} takes an integer here, but {halves} answers"));
+  EXPECT_EQ(Complaints("(top (Go))\n(Go () :objective ((bind ?x {halves 7}) {member 3 {halves 8}} "
+                       "(bind (3 ?) {halves 7}) (seen a ?x)))"),
+            "");
+}
+
 TEST(IcarusLoadTest, ChecksMatchesAgainstTheLatches) {
   EXPECT_THAT(Complaints("(top (Go))\n(Go () :objective ((seen ?)))"),
               HasSubstr("2:20: error: [I031] facts (seen ...) have 2 arguments, but here are 1"));

@@ -74,6 +74,12 @@ TEST(IcarusReaderTest, BadTokens_AreAllReported) {
             (Places{"1:4 I002", "2:4 I002", "2:6 I002", "2:27 I002", "3:1 I001", "3:3 I001"}));
 }
 
+TEST(IcarusReaderTest, ByteOrderMark_BeginsAFileOrIsRefused) {
+  EXPECT_TRUE(Read("\xef\xbb\xbf(a \"\xef\xbb\xbf\")").findings.empty());
+  EXPECT_EQ(Read("\t\xef\xbb\xbf\t").Places(), (Places{"1:2 I002"}));
+  EXPECT_EQ(Read("(a b\xef\xbb\xbfx)").Places(), (Places{"1:5 I002"}));
+}
+
 TEST(IcarusReaderTest, DeepNesting_IsRefusedWithoutRecursion) {
   for (const std::size_t depth : {kMaxNesting, kMaxNesting + 1, std::size_t{100'000}}) {
     const Read read(std::string(depth, '(') + std::string(depth, ')') + "\n(fine)");
