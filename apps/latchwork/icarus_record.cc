@@ -227,7 +227,7 @@ void AddIcarusRecord(CLI::App& icarus, Context& context) {
       "and\n"
       "what the program came to. run, trace and repl (why, why-not) take it, and so does "
       "recognise.\n"
-      "With 0 it has been run, and every cycle came out as in the layer (exit code 6: not so).\n"
+      "It is run at once: the exit code is 0 when every cycle came out as in the layer, else 6.\n"
       "Examples:\n"
       "  latchwork icarus record examples/icarus/hanoi.xml --layer player --seed 7 > hanoi.world\n"
       "  latchwork icarus repl plugins/hanoi_player/hanoi_player.icarus --script hanoi.world");

@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <random>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "tests/reasoners/icarus/program_mind.h"
 #include "tests/reasoners/icarus/script_run.h"
+#include "tests/reasoners/icarus/test_attachments.h"
 
 namespace latchwork::icarus {
 namespace {
@@ -110,6 +114,43 @@ TEST(ScriptRecorderTest, OrderOfAllMatters_WhereAMatchHasAnyHead) {
   EXPECT_EQ(order("(S () :objective ((a ?x) (*not* (b ?x))))"), FactOrder::kOfHead);
   EXPECT_EQ(order("(S () :objective ((a ?x) (*not* (?x b))))"), FactOrder::kOfAll);
   EXPECT_EQ(order("(top (S))\n(S ())\n(never (?any 1))"), FactOrder::kOfAll);
+}
+
+constexpr std::string_view kHalve = R"((top (Top))
+(Top () :requires ((given ?n) (bind (?half ?rest) {halves ?n})) :means ((Say ?half ?rest)))
+(Say (?a ?b) :action ({say ?a ?b} {update (said ?) (said ?a)})))";
+
+TEST(ScriptRecorderTest, CyclesOfALayer_ComeOutTheSame) {
+  testing::ProgramMind mind(kHalve);
+  mind.Input("given", {sdk::ArgumentType::kAny});
+  mind.Output("say", {sdk::ArgumentType::kInteger, sdk::ArgumentType::kInteger});
+  mind.attachments = {std::make_shared<testing::Halves>()};
+  mind.Load();
+  ScriptRecorder recorder(mind.reasoner.program(), mind.reasoner.names());
+  mind.reasoner.SetWatch(&recorder);
+  std::vector<std::string> cycles;
+  for (const char* const fact : {"given(7)", "given(7.5)", "given(13)", "given(-1)", "given(7)"}) {
+    mind.Latch(0, {fact});
+    mind.Decide();
+    cycles.push_back(recorder.cycle());
+  }
+  const std::vector<std::string> expected = {
+      "(cycle (store (given 7)) (answer {halves 7} (3 1)) (expect {say 3 1}{update (said ?) (said "
+      "3)}))",
+      "(cycle (update (given ?) (given 7.5)) (fail {halves 7.5} \"argument 1, 7.5, is not an "
+      "integer\")\n       (expect false fault))",
+      "(cycle (update (given ?) (given 13)) (fail {halves 13} \"thirteen\") (expect false fault))",
+      "(cycle (update (given ?) (given -1)) (answer {halves -1} nil) (expect false))",
+      "(cycle (update (given ?) (given 7)) (expect {say 3 1}{update (said ?) (said 3)}))"};
+  EXPECT_EQ(cycles, expected);
+  std::string script = "(top (Top))\n(functions halves)\n";
+  for (const std::string& cycle : cycles) script += cycle + '\n';
+  const testing::ScriptRun run(kHalve, script);
+  EXPECT_EQ(run.faults(), (std::vector<std::string>{"{halves}: argument 1, 7.5, is not an integer",
+                                                    "{halves}: thirteen"}));
+  mind.reasoner.SetWatch(nullptr);
+  mind.Decide();
+  EXPECT_EQ(recorder.cycle(), cycles.back());
 }
 
 TEST(AnswerTableTest, TheAnswerThatWasSetLast_Holds) {
