@@ -158,6 +158,7 @@ const IcarusRepl::Breakpoint* IcarusRepl::Cycle(std::string& out) {
   before_ = std::set<std::string>(facts.begin(), facts.end());
   inside_ = std::exchange(out, {});
   follows_ = released_ = false;
+  out_of_ = 0;
   debugger_.Step();
   out = std::exchange(inside_, {});
   if (traces_) TellTrace(out);

@@ -181,6 +181,13 @@ TEST_F(Session, Out_GoesOnToTheEndOfTheSkill) {
             "'out' is for a break within a cycle; 'break in SKILL' makes one\n");
 }
 
+TEST_F(Session, Out_EndsWithItsCycle) {
+  EXPECT_EQ(Repl("break in Top\nstep\nout\ndelete\ntop (Ram ?)\nstep\nwhere\n"),
+            "break in cycle 1:\n        (Top)\n1: start {go c1}\n2: stop {go c1} False\n"
+            "p.icarus:3:19: fault in cycle 2: an argument of the call has an unbound variable\n"
+            "  in Go < Ram\n'where' is for a break within a cycle; 'break in SKILL' makes one\n");
+}
+
 TEST_F(Session, BreakFalse_WaitsWhereTheSkillFails) {
   EXPECT_EQ(Repl("break false Ram\nbreak false Raam\nbreak\nstep\ntop (Ram ?)\nstep\nwhere\n"
                  "finish\nreload\nbreak\n"),
